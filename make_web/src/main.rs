@@ -2,7 +2,7 @@
 
 use std::error::Error;
 use std::path::Path;
-use std::process::ExitCode;
+use std::process::{Command, ExitCode, Stdio};
 
 const USAGE: &str = "usage: make_web write PROGRAM.wasm ASSETS FOLDER
        make_web compress FOLDER
@@ -38,6 +38,23 @@ fn serve(folder: &str, port: &str) -> Result<(), Box<dyn Error>> {
         "The page is at {} until you press Ctrl+C.",
         server.address()
     );
+    open(&server.address());
     make_web::serve(&server);
     Ok(())
+}
+
+/// Opens `address` in the browser, where there is a desktop that knows one; else the address was printed.
+fn open(address: &str) {
+    let has = |name: &str| std::env::var_os(name).is_some();
+    let mut command = if cfg!(target_os = "macos") {
+        Command::new("open")
+    } else if cfg!(windows) {
+        Command::new("explorer")
+    } else if has("DISPLAY") || has("WAYLAND_DISPLAY") {
+        Command::new("xdg-open")
+    } else {
+        return;
+    };
+    let quiet = command.stdout(Stdio::null()).stderr(Stdio::null());
+    let _ = quiet.arg(address).spawn();
 }

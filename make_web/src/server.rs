@@ -1,4 +1,5 @@
-//! A small server of files, for the machine that it runs on alone.
+//! A small server of files, for the machine that it runs on alone: it sends the compressed files that lie beside the
+//! others, as web servers do that are told to, which those of crates do not find by themselves.
 
 use super::compress::with_extension;
 use std::fs;

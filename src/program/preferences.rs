@@ -28,6 +28,8 @@ pub(super) struct Preferences {
     pub navigation: Option<Navigation>,
     /// Whether the shape panel is folded away.
     pub panel_folded: bool,
+    /// Whether a page reads aloud what is used.
+    pub reads_aloud: bool,
     /// Width of the shape panel, in points.
     pub panel_width: Option<f32>,
     /// Look of documents that have none of their own: the one that was chosen last, or whatever suits
@@ -50,6 +52,7 @@ impl Default for Preferences {
             skinning: None,
             navigation: None,
             panel_folded: false,
+            reads_aloud: false,
             panel_width: None,
             look: None,
             window_size: None,
@@ -88,6 +91,7 @@ impl Preferences {
             skinning: changed(self.skinning, &before.skinning, theirs.skinning),
             navigation: changed(self.navigation, &before.navigation, theirs.navigation),
             panel_folded: changed(self.panel_folded, &before.panel_folded, theirs.panel_folded),
+            reads_aloud: changed(self.reads_aloud, &before.reads_aloud, theirs.reads_aloud),
             panel_width: changed(self.panel_width, &before.panel_width, theirs.panel_width),
             look: changed(self.look, &before.look, theirs.look),
             window_size: changed(self.window_size, &before.window_size, theirs.window_size),
@@ -206,6 +210,7 @@ impl Program {
         let mut now = self.preferences.clone();
         now.theme = self.ui.theme;
         now.panel_folded = self.ui.panel_folded;
+        now.reads_aloud = self.ui.reads_aloud;
         now.panel_width = self.ui.panel_width;
         now.navigation = self.ui.chosen_navigation;
         now.look = self.ui.look_of_new;

@@ -189,6 +189,7 @@ impl Program {
         program.ui.theme = program.preferences.theme;
         program.ui.look_of_new = program.preferences.look;
         program.ui.panel_folded = program.preferences.panel_folded;
+        program.ui.reads_aloud = program.preferences.reads_aloud;
         program.ui.panel_width = program.preferences.panel_width;
         if let Some(navigation) = program.preferences.navigation {
             program.ui.set_navigation(navigation);

@@ -172,6 +172,9 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if ctx.options(|options| options.theme_preference) != state.theme {
         ctx.set_theme(state.theme);
     }
+    if ctx.options(|options| options.screen_reader) != state.reads_aloud {
+        ctx.options_mut(|options| options.screen_reader = state.reads_aloud);
+    }
     // The root was made before the style was set.
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);

@@ -1,7 +1,7 @@
 //! Edit ▸ Preferences: all that is kept from one run to the next, in one place.
 
 use super::Action;
-use super::commands::{Menu, entries, in_words, is_on, run};
+use super::commands::{Menu, entries, in_words, is_on, is_page, run};
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
@@ -59,6 +59,12 @@ pub(super) fn show(
         part(ui, "Skinning", "What deforms characters; pictures are the same", |ui| {
             choose(ui, state, Menu::Skinning);
         });
+        if is_page(ui.ctx()) {
+            let about = "For who does not see the screen: browsers know nothing of what is drawn here";
+            part(ui, "Speech", about, |ui| {
+                ui.checkbox(&mut state.reads_aloud, "Read aloud what is used or has the focus");
+            });
+        }
         let palette = Palette::of(ui.visuals());
         ui.add_space(8.0);
         ui.label(RichText::new("Unsaved work").color(palette.strong));
@@ -102,6 +108,7 @@ impl UiState {
         self.skinning = first.skinning;
         self.look_of_new = first.look_of_new;
         self.panel_folded = first.panel_folded;
+        self.reads_aloud = first.reads_aloud;
         self.panel_width = first.panel_width;
         self.panel_resets += 1;
     }

@@ -49,6 +49,8 @@ pub struct UiState {
     pub(super) unfolded_in_narrow: bool,
     /// Share of a narrow window's height that the panel takes at its bottom.
     pub(super) sheet_share: f32,
+    /// Whether a page reads aloud what is used, as windows leave to screen readers. Kept by the program, too.
+    pub reads_aloud: bool,
     /// Width of the shape panel in points, once it is known. Kept by the program, too.
     pub panel_width: Option<f32>,
     /// How often the panel got its first width back, which begins its layout anew.
@@ -137,6 +139,7 @@ impl Default for UiState {
             is_narrow: false,
             unfolded_in_narrow: false,
             sheet_share: 0.5,
+            reads_aloud: false,
             panel_width: None,
             panel_resets: 0,
             has_fingers_first: false,

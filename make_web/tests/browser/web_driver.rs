@@ -1,4 +1,7 @@
 //! WebDriver, the protocol by which browsers are driven, as far as the tests need it.
+//!
+//! Crates for it (fantoccini, thirtyfour) bring an asynchronous runtime, HTTP and TLS for what is a dozen requests to a
+//! program on the same machine, one after the other.
 
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};

@@ -161,7 +161,7 @@ pub(in crate::ui) fn remember_for_keys(ctx: &Context, navigation: Navigation, is
 }
 
 /// Whether this is a page of a browser.
-pub(super) fn is_page(ctx: &Context) -> bool {
+pub(in crate::ui) fn is_page(ctx: &Context) -> bool {
     ctx.data(|data| data.get_temp(on_page()).unwrap_or_default())
 }
 
