@@ -3,7 +3,7 @@
 use super::address::leave_link;
 use super::error_watch::ErrorWatch;
 use super::page::Page;
-use super::{browser, fonts};
+use super::{browser, fonts, rescue};
 use crate::gpu::{CanvasContext, Rect};
 use crate::program::{FingerPresses, Graphics, Pass, input_parts};
 use crate::render::view_place;
@@ -29,6 +29,8 @@ pub(super) struct Application {
     is_shown: bool,
     /// The document that is open, once the program has started.
     opened: Option<Revision>,
+    /// The document whose unsaved work is at hand for a panic.
+    remembered: Option<Revision>,
 }
 
 thread_local! {
@@ -62,6 +64,7 @@ impl Application {
             later: Vec::new(),
             is_shown: false,
             opened: None,
+            remembered: None,
         })
     }
 }
@@ -100,6 +103,12 @@ impl eframe::App for Application {
         self.context.gl().bind_window();
         self.errors.end_frame();
         root.painter().set(below, scene(rect));
+        let document = program.session().document();
+        let modified = program.is_modified().then_some(document);
+        if self.remembered != modified {
+            self.remembered = modified;
+            rescue::remember(program.unsaved().zip(host.autosave_entry()));
+        }
         let told = program.session().messages.count() != messages;
         let opened = program.session().opened();
         if !program.is_starting()

@@ -14,6 +14,7 @@ mod leaving;
 mod note;
 mod page;
 mod page_host;
+mod rescue;
 mod scrolling;
 mod showing;
 mod tabs;

@@ -1,6 +1,6 @@
 //! The note: what the page says while the program itself cannot.
 
-use super::browser;
+use super::{browser, rescue};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
 
@@ -27,11 +27,12 @@ pub(super) fn hide() {
     }
 }
 
-/// Says on the page when the program has stopped by a mistake of its own.
+/// Says on the page when the program has stopped by a mistake of its own, and keeps unsaved work.
 pub(super) fn tell_panics() {
     let before = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
         before(panic);
+        rescue::store_latest();
         show(
             "The editor has stopped because of a mistake of its own. Reload the page: work that was \
              kept is offered back.",

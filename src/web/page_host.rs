@@ -152,6 +152,11 @@ impl PageHost {
         }
     }
 
+    /// The entry for unsaved work; `None` if none is kept.
+    pub fn autosave_entry(&self) -> Option<String> {
+        (!self.forgets).then(|| self.entry(StorageKey::Autosave))
+    }
+
     /// Takes note that a frame begins: it is over when the browser can take the next.
     pub fn begin_frame(&self) {
         let begun = browser::now();
