@@ -2,7 +2,8 @@
 # make run    installs what a window needs, builds, and opens the showcase
 #             (without a display: draws it to showcase.png)
 # make test   installs what the tests need and runs everything
-# make test-long  runs of minutes: ten thousand random commands, a thousand kills while saving
+# make test-long  runs of minutes: ten thousand random commands, a thousand kills while saving, mistakes told
+#             from dozens of pictures
 # make bench  measures frames of the window, and writes docs/benchmarks.md
 # make pictures  draws the pictures of README.md
 # make check-assets  makes the characters, rigs, shapes, curves and poses in assets/ anew and compares
@@ -39,7 +40,7 @@ test: packages-test
 
 # With debug assertions egui keeps the source of every identifier, for good: no growth of the program's.
 test-long: packages-test
-	$(CARGO) test --config profile.dev.package.egui.debug-assertions=false --locked --quiet --test all -- --ignored long:: --nocapture
+	$(CARGO) test --config profile.dev.package.egui.debug-assertions=false --locked --quiet --test all -- --ignored long:: picture_pairs:: --nocapture
 
 bench: packages-test
 	$(CARGO) bench --locked --bench bench
