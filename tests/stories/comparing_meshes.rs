@@ -72,6 +72,14 @@ fn compare_with(story: &mut Story, mesh: Vec<u8>) {
     assert!(story.has("Stop comparing with the mesh"));
 }
 
+/// How the button begins that shows the formula of a vertex.
+const FORMULA: &str = "Show the Formula of Vertex ";
+
+/// The button that shows the formula of a vertex, as it is called.
+fn formula_of(story: &Story) -> String {
+    text(story, FORMULA)
+}
+
 /// Lets the program find out what is wrong.
 fn diagnose(story: &mut Story) {
     story.wait(0.2);
@@ -403,7 +411,7 @@ fn the_formula_has_the_place_of_the_vertex_in_the_compared_mesh_as_well() {
     story.key(Key::K);
     story.click("Matrix Stack");
     story.key(Key::K);
-    story.click("Show Its Formula");
+    story.click(&formula_of(&story));
     let vertex = story.node("Vertex").and_then(Node::numeric_value);
     let vertex = vertex.expect("the number of a vertex") as usize;
     let figure = dog();
@@ -445,7 +453,7 @@ fn the_place_of_a_vertex_in_the_compared_mesh_has_the_name_of_its_file() {
 fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
     let mut story = comparing(&off_by_one());
     diagnose(&mut story);
-    let formula = story.place("Show Its Formula");
+    let formula = story.place(&formula_of(&story));
     assert!(formula.y < 770.0, "above the status line: {formula}");
     // A list that is scrolled takes nothing else away.
     let list = story
@@ -454,10 +462,10 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
         .bounds();
     let right = list.expect("a place").x0 as f32 - 60.0;
     scroll_down(&mut story, pos2(right, formula.y));
-    assert_eq!(story.place("Show Its Formula"), formula);
+    assert_eq!(story.place(&formula_of(&story)), formula);
 
     let shown = text(&story, "Shown by vertex ");
-    story.click("Show Its Formula");
+    story.click(&formula_of(&story));
     assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
     let explained = story.node("Vertex").and_then(Node::numeric_value);
     let explained = explained.expect("the number of a vertex");
@@ -465,7 +473,7 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
         shown.starts_with(&format!("Shown by vertex {explained} (from 0)")),
         "{shown}"
     );
-    assert!(!story.has("Show Its Formula"));
+    assert!(!texts(&story).iter().any(|text| text.starts_with(FORMULA)));
 }
 
 #[test]

@@ -453,6 +453,23 @@ fn the_panel_folds_away_leaves_a_handle_and_stays_so_at_the_next_start() {
 }
 
 #[test]
+fn the_width_of_the_panel_is_kept_for_the_next_start() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let before = story.view();
+    let edge = egui::pos2(before.right() + 1.0, before.center().y);
+    story.drag(edge, edge - vec2(90.0, 0.0));
+    let narrower = story.view().width();
+    assert!((before.width() - narrower - 90.0).abs() < 4.0, "{narrower}");
+    story.key_with(Modifiers::COMMAND, Key::Q);
+    let again = crate::host::MemoryHost {
+        stored: story.host.stored.clone(),
+        ..crate::host::MemoryHost::default()
+    };
+    let next = Story::start_at(again, &["models/strip.obj"]);
+    assert!((next.view().width() - narrower).abs() < 1.0);
+}
+
+#[test]
 fn in_a_narrow_window_the_panel_is_a_sheet_below_the_view() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.size = (390, 700);

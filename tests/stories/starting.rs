@@ -383,6 +383,7 @@ fn recent_documents_are_on_the_start_page() {
     story.choose("work/stone.scene");
     story.key_with(Modifiers::COMMAND, Key::N);
     assert!(story.names().is_empty());
+    assert!(story.has_text("or drop a file here"));
     story.click("Begin: stone.scene");
     assert_eq!(story.names(), ["Gem"]);
     assert_eq!(story.host.title, "stone.scene — Editor");

@@ -276,10 +276,12 @@ impl Parts<'_> {
         if self.chosen.explains {
             return;
         }
-        let formula = ui.button("Show Its Formula");
-        let tip = "Explain how the joints move the vertex that is marked, or this one, in numbers that follow the pose (K)";
+        // Another one may be marked.
+        let vertex = self.chosen.marked.unwrap_or(first.vertex);
+        let formula = ui.button(format!("Show the Formula of Vertex {vertex}"));
+        let tip = "Explain how the joints move this vertex, in numbers that follow the pose (K)";
         if formula.on_hover_text(tip).clicked() {
-            self.go_to(self.chosen.marked.unwrap_or(first.vertex));
+            self.go_to(vertex);
             self.chosen.explains = true;
         }
     }
