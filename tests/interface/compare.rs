@@ -334,8 +334,30 @@ fn differences_below_the_threshold_are_not_called_equal() {
         }),
         ..CompareReport::default()
     };
-    report(&mut editor, judged);
+    report(&mut editor, judged.clone());
     assert!(editor.has("No single cause explains the differences."));
+    // Where they are is said all the same.
+    let area = |x, y, width, height| Area {
+        x,
+        y,
+        width,
+        height,
+    };
+    let (some, figure) = (area(180, 180, 20, 20), area(0, 0, 200, 200));
+    let placed = CompareReport {
+        differences: Some(Differences {
+            differing_area: Some(some),
+            ..counts(3, 5)
+        }),
+        judgment: judged.judgment.map(|judgment| Judgment {
+            figure: Some(figure),
+            ..judgment
+        }),
+        ..CompareReport::default()
+    };
+    report(&mut editor, placed);
+    let place = "At the bottom right of the figure, about 1 % of it.";
+    assert!(editor.has(place));
     assert!(editor.has("none below 11×11 pixels, 0.12500"));
 }
 

@@ -258,7 +258,10 @@ pub(super) fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &
 fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mut Outlined) {
     let palette = Palette::of(ui.visuals());
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
-    let is_still_told = |area: &Area| areas.clone().any(|f| f.area() == Some(*area));
+    let counts = compare.report.differences.as_ref();
+    let all = counts.and_then(|counts| counts.differing_area);
+    let is_still_told =
+        |area: &Area| all == Some(*area) || areas.clone().any(|f| f.area() == Some(*area));
     *outlined = Outlined {
         hovered: None,
         clicked: outlined.clicked.filter(is_still_told),
@@ -291,11 +294,12 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                     }
                 }
                 if judgment.findings.is_empty() {
-                    say(
-                        ui,
-                        "No single cause explains the differences.",
-                        palette.text,
-                    );
+                    let text = "No single cause explains the differences.";
+                    say(ui, text, palette.text);
+                    if let Some((area, figure)) = all.zip(judgment.figure) {
+                        let place = place(session, area, figure, compare.size());
+                        link(ui, &place, area, outlined);
+                    }
                 }
             }
             _ => {
