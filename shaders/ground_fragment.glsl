@@ -4,6 +4,8 @@ in vec2 on_ground;
 
 uniform vec2 center;
 uniform float reach;
+// As in ground_vertex.glsl.
+uniform float near;
 #ifdef SHADOWS
 // White where the ground has no light, as large as the picture that is drawn, with mipmaps.
 uniform sampler2D shadows;
@@ -61,6 +63,9 @@ float shadow(float world_per_pixel) {
 #endif
 
 void main() {
+    if (near > 0.0 && 1.0 / gl_FragCoord.w > near) {
+        discard;
+    }
     float strength = max(0.35 * lines(on_ground, 1.0), 0.6 * lines(on_ground, 10.0));
     float away = length(on_ground - center) / reach;
     float fade = 1.0 - smoothstep(0.3, 1.0, away);

@@ -122,6 +122,9 @@ const LIT: f32 = 0.6;
 /// Width of a shadow's fading edge in the world.
 const SOFTNESS: f32 = 0.07;
 
+/// Height of the eye above the ground, by the distance of the near plane, up to which the ground may be seen before that.
+const SEEN_NEAR: f32 = 4.0;
+
 /// The Studio look's ground: a grid, one unit wide, every tenth line stronger,
 /// and shadows with soft edges. Before a transparent background only the shadows.
 #[derive(Debug)]
@@ -213,6 +216,29 @@ impl GroundPass {
             prepare(program, context, camera);
             self.square.draw(program, Primitive::TriangleStrip, 0..4);
         }
+        if hides_below(context, camera) && camera.eye().y - context.ground < SEEN_NEAR * camera.near
+        {
+            self.draw_near(
+                gl,
+                context,
+                camera,
+                DrawState {
+                    depth_test: DepthTest::Off,
+                    scissor: Some(within.rectangle()),
+                    ..state
+                },
+            );
+        }
+    }
+
+    /// Draws the part before the near plane, where a camera just above the ground would look through it: nothing else can
+    /// be before that.
+    fn draw_near(&self, gl: &Gl, context: &PassContext, camera: &Camera, state: DrawState) {
+        state.apply(gl);
+        prepare(&self.plain, context, camera);
+        self.plain.set_f32("near", camera.near);
+        self.square
+            .draw(&self.plain, Primitive::TriangleStrip, 0..4);
     }
 }
 
@@ -225,6 +251,7 @@ fn prepare(program: &Program, context: &PassContext, camera: &Camera) {
     program.set_vec2("center", Vec2::new(camera.target.x, camera.target.z));
     program.set_f32("reach", reach);
     program.set_f32("height", context.ground);
+    program.set_f32("near", 0.0);
     program.set_sampler("shadows", SHADOWS);
     program.set_f32("softness", SOFTNESS);
     let is_shown = context.background == Background::Look;

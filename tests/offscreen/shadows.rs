@@ -98,6 +98,21 @@ fn the_shadow_goes_with_the_ground_and_other_looks_have_none() {
 }
 
 #[test]
+fn the_ground_reaches_to_the_lower_edge_of_a_picture_from_just_above_it() {
+    on_each_backend(|gl| {
+        let mut view = studio();
+        (view.camera.phi, view.camera.target.y) = (0.0, 0.03);
+        let picture = draw(gl, &Scene::new(), &view, Skinning::Cpu);
+        let (x, height) = (SIZE.0 as usize / 3, SIZE.1 as usize);
+        for y in 3 * height / 4..height - 1 {
+            let [above, below] = [y, y + 1].map(|y| picture.at(x, y));
+            let apart = (0..3).map(|at| above[at].abs_diff(below[at])).max();
+            assert!(apart <= Some(3), "{y}: {above:?} {below:?}");
+        }
+    });
+}
+
+#[test]
 fn the_ground_lies_under_the_lowest_shape() {
     on_each_backend(|gl| {
         // A cube at the origin reaches down to −0.5, and throws the shadow that one standing half
