@@ -30,7 +30,11 @@ pub const ESC: &str = "\u{e00c}";
 pub const ENTER: &str = "\u{e007}";
 pub const DELETE: &str = "\u{e017}";
 pub const RIGHT: &str = "\u{e014}";
+pub const F3: &str = "\u{e033}";
+pub const F6: &str = "\u{e036}";
+pub const F7: &str = "\u{e037}";
 pub const F8: &str = "\u{e038}";
+pub const F10: &str = "\u{e03a}";
 pub const F12: &str = "\u{e03c}";
 
 /// A browser with the page.
@@ -70,12 +74,17 @@ impl Browser {
             address,
             _one: one,
         };
-        let (width, height) = size;
-        let metrics =
-            json!({"width": width, "height": height, "deviceScaleFactor": 0, "mobile": false});
-        browser.devtools("Emulation.setDeviceMetricsOverride", &metrics);
+        browser.resize(size, 0.0);
         browser.go("");
         browser
+    }
+
+    /// Gives the page another size, in points, with so many pixels a point; with as many as the browser
+    /// has at 0.
+    pub fn resize(&self, (width, height): (u32, u32), scale: f32) {
+        let metrics =
+            json!({"width": width, "height": height, "deviceScaleFactor": scale, "mobile": false});
+        self.devtools("Emulation.setDeviceMetricsOverride", &metrics);
     }
 
     /// Opens the page with `query` behind its address, in place of what is there.
@@ -114,6 +123,17 @@ impl Browser {
         self.driver.post("/window", &json!({"handle": tab}));
     }
 
+    /// Zooms pages as the menu of the browser does, by its settings.
+    pub fn zoom(&self, factor: f32) {
+        let page = self.tab();
+        let opened = self.driver.post("/window/new", &json!({"type": "tab"}));
+        self.use_tab(opened["handle"].as_str().unwrap());
+        let settings = json!({"url": "chrome://settings/appearance"});
+        self.driver.post("/url", &settings);
+        self.script(&format!("chrome.settingsPrivate.setDefaultZoom({factor})"));
+        self.use_tab(&page);
+    }
+
     /// Carries out a command of Chromium's DevTools.
     pub fn devtools(&self, command: &str, parameters: &Value) {
         let body = json!({"cmd": command, "params": parameters});
@@ -140,6 +160,12 @@ impl Browser {
     /// Runs the body of a function of JavaScript, and returns what it returns.
     pub fn script(&self, script: &str) -> Value {
         self.driver.script(script)
+    }
+
+    /// The title, which names what is open.
+    pub fn title(&self) -> String {
+        let title = self.script("return document.title");
+        title.as_str().unwrap().to_owned()
     }
 
     /// Waits until something is so.
@@ -184,30 +210,27 @@ impl Browser {
             {"type": "pointerMove", "duration": 60, "x": x, "y": y}, rest,
             {"type": "pointerDown", "button": 0}, short, {"type": "pointerUp", "button": 0}, rest,
         ]);
-        let pointer = json!({"pointerType": "mouse"});
-        self.driver.post(
-            "/actions",
-            &json!({"actions": [
-                {"type": "pointer", "id": "mouse", "parameters": pointer, "actions": actions}
-            ]}),
-        );
+        self.act("mouse", &actions);
     }
 
     /// Moves the pointer to a place, in points.
     pub fn point(&self, (x, y): (u32, u32)) {
         let rest = json!({"type": "pause", "duration": 250});
         let actions = json!([{"type": "pointerMove", "duration": 60, "x": x, "y": y}, rest]);
-        let pointer = json!({"pointerType": "mouse"});
-        self.driver.post(
-            "/actions",
-            &json!({"actions": [
-                {"type": "pointer", "id": "mouse", "parameters": pointer, "actions": actions}
-            ]}),
-        );
+        self.act("mouse", &actions);
     }
 
     /// Drags from one place to another, in points, with the left button.
     pub fn drag(&self, from: (u32, u32), to: (u32, u32)) {
+        self.drag_with("mouse", from, to);
+    }
+
+    /// The same with the tip of a pen.
+    pub fn drag_pen(&self, from: (u32, u32), to: (u32, u32)) {
+        self.drag_with("pen", from, to);
+    }
+
+    fn drag_with(&self, kind: &str, from: (u32, u32), to: (u32, u32)) {
         let step =
             |(x, y): (u32, u32)| json!({"type": "pointerMove", "duration": 60, "x": x, "y": y});
         // Frames between, in which the program sees each of the steps.
@@ -217,11 +240,16 @@ impl Browser {
             step(from), rest, {"type": "pointerDown", "button": 0}, rest,
             step(between), rest, step(to), rest, {"type": "pointerUp", "button": 0}, rest,
         ]);
-        let pointer = json!({"pointerType": "mouse"});
+        self.act(kind, &actions);
+    }
+
+    /// Has one pointer of a kind do something.
+    fn act(&self, kind: &str, actions: &Value) {
+        let pointer = json!({"pointerType": kind});
         self.driver.post(
             "/actions",
             &json!({"actions": [
-                {"type": "pointer", "id": "mouse", "parameters": pointer, "actions": actions}
+                {"type": "pointer", "id": kind, "parameters": pointer, "actions": actions}
             ]}),
         );
     }
@@ -255,13 +283,7 @@ impl Browser {
             {"type": "pointerDown", "button": 0}, {"type": "pause", "duration": 1500},
             {"type": "pointerUp", "button": 0}, rest,
         ]);
-        let touch = json!({"pointerType": "touch"});
-        self.driver.post(
-            "/actions",
-            &json!({"actions": [
-                {"type": "pointer", "id": "finger", "parameters": touch, "actions": actions}
-            ]}),
-        );
+        self.act("touch", &actions);
     }
 
     /// Moves two fingers on a touchpad apart, or together if negative, with the pointer at a place: for
@@ -312,6 +334,15 @@ impl Browser {
         let files: Vec<String> = files.iter().map(|f| f.display().to_string()).collect();
         let path = format!("/element/{}/value", id.as_str().unwrap());
         self.driver.post(&path, &json!({"text": files.join("\n")}));
+    }
+
+    /// Drops files and folders in the middle of the view.
+    pub fn drop_files(&self, files: &[PathBuf]) {
+        let data = json!({"items": [], "files": files, "dragOperationsMask": 1});
+        for kind in ["dragEnter", "dragOver", "drop"] {
+            let event = json!({"type": kind, "x": 500, "y": 300, "data": data});
+            self.devtools("Input.dispatchDragEvent", &event);
+        }
     }
 
     /// The folder of files that the page has handed over.

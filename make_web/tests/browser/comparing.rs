@@ -58,7 +58,7 @@ const LONGEST: &str = "
     return [jobs[0].duration, longest, drawn.length];";
 
 /// Number of jobs that have ended.
-fn jobs(browser: &Browser) -> u64 {
+pub fn jobs(browser: &Browser) -> u64 {
     let ended =
         browser.script("return performance.getEntriesByName('editor-job', 'measure').length");
     ended.as_u64().unwrap()

@@ -2,10 +2,10 @@
 
 use super::browser::{Browser, CTRL, ENTER, F12, SHIFT, VIEW};
 use super::picture::{assert_not_blank, difference};
-use serde_json::json;
 use std::path::{Path, PathBuf};
 
-fn asset(name: &str) -> PathBuf {
+/// A file of `assets`.
+pub fn asset(name: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../assets")
         .join(name);
@@ -113,12 +113,7 @@ fn a_folder_that_is_dropped_is_read_with_all_that_is_in_it() {
         let name = format!("robot.{extension}");
         std::fs::copy(asset(&format!("characters/{name}")), inner.join(name)).unwrap();
     }
-    let data =
-        json!({"items": [], "files": [folder.path().join("figure")], "dragOperationsMask": 1});
-    for kind in ["dragEnter", "dragOver", "drop"] {
-        let event = json!({"type": kind, "x": 500, "y": 300, "data": data});
-        browser.devtools("Input.dispatchDragEvent", &event);
-    }
+    browser.drop_files(&[folder.path().join("figure")]);
     browser.wait("the figure is read", || {
         difference(&before, &browser.picture(), VIEW) > 0.01
     });

@@ -79,7 +79,7 @@ fn files_of_another_host_are_never_asked_for() {
 }
 
 /// Opens the page with the tag, and returns where the character in it is shown.
-fn open_tag(browser: &Browser) -> Part {
+pub fn open_tag(browser: &Browser) -> Part {
     browser.go_elsewhere("example.html");
     browser.script("document.querySelector('editor-view').scrollIntoView()");
     let frame = "document.querySelector('editor-view').shadowRoot.querySelector('iframe')";

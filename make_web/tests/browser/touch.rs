@@ -1,4 +1,4 @@
-//! Fingers, on screens and touchpads.
+//! Fingers, on screens and touchpads, and pens.
 
 use super::browser::{Browser, SIZE, VIEW};
 use super::picture::difference;
@@ -109,5 +109,22 @@ fn two_fingers_on_a_touchpad_zoom_the_view_and_not_the_page() {
     browser.pinch((560, 300), -60);
     assert!(difference(&before, &browser.picture(), VIEW) < 0.01);
     assert_eq!(scale(), scale_before);
+    browser.finish();
+}
+
+#[test]
+fn a_pen_drags_a_bone_and_beside_it_moves_the_view() {
+    let browser = Browser::open();
+    browser.press(&["b"]);
+    let before = browser.picture();
+    // The raised arm of the man.
+    browser.drag_pen((271, 185), (215, 300));
+    let posed = browser.picture();
+    assert!(difference(&before, &posed, (150, 60, 480, 640)) > 0.005);
+    // The camera stands still: the robot is where it was.
+    let robot = (560, 100, 900, 640);
+    assert!(difference(&before, &posed, robot) < 0.001);
+    browser.drag_pen((700, 650), (850, 650));
+    assert!(difference(&posed, &browser.picture(), robot) > 0.05);
     browser.finish();
 }
