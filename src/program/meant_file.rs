@@ -18,7 +18,8 @@ impl Purpose {
         if path.extension().is_some() && path.extension() == stem.extension() {
             return Some(path.with_file_name(stem));
         }
-        if path.extension().is_some_and(|end| self.writes(end))
+        if matches!(self, Self::SaveScreenshot(_) | Self::SaveComparison)
+            && path.extension().is_some_and(|end| self.writes(end))
             && stem.extension().is_some_and(|typed| self.writes(typed))
         {
             return Some(path.with_file_name(stem));
@@ -146,6 +147,7 @@ mod tests {
             (turning, "x.png.gif", "x.gif"),
             (turning, "x.JPG", "x.gif"),
             (Purpose::SaveComparison, "a.bmp", "a.png"),
+            (Purpose::SaveComparison, "a.jpg.png", "a.jpg"),
             (Purpose::ExportGeometry, "man.json", "man.obj"),
             (Purpose::ExportGeometry, "man.v2.dae.obj", "man.v2.obj"),
             (pose, "q.zip", "q.json"),
@@ -156,7 +158,7 @@ mod tests {
         for (purpose, name) in [
             (turning, "x.gif"),
             (turning, "v1.2.gif"),
-            (Purpose::SaveComparison, "a.png.jpg"),
+            (Purpose::SaveComparison, "a.v2.jpg"),
             (Purpose::SaveWithFiles, "my.scene.zip"),
         ] {
             assert_eq!(purpose.completed(Path::new(name)), None, "{name}");

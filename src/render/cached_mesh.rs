@@ -158,6 +158,8 @@ impl CachedMesh {
         samples: &Samples,
     ) -> Result<(), GpuError> {
         if self.is_skinned() {
+            // Which are covered is known to the graphics card alone. It may have been out of sight before.
+            self.shown.set_seen(purpose, true);
             return Ok(());
         }
         let triangles = geometry.mesh.vertex_triangles();

@@ -3,7 +3,7 @@
 use super::address::leave_link;
 use super::error_watch::ErrorWatch;
 use super::page::Page;
-use super::{browser, fonts, rescue};
+use super::{browser, fonts, rescue, resolution};
 use crate::gpu::{CanvasContext, Rect};
 use crate::program::{FingerPresses, Graphics, Pass, input_parts};
 use crate::render::view_place;
@@ -51,6 +51,7 @@ impl Application {
     ) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let gl = creation.gl.clone().ok_or("There is no WebGL.")?;
         fonts::set(&creation.egui_ctx);
+        resolution::draw_on_change(&creation.egui_ctx);
         let context = CanvasContext::new(context, gl)?;
         let graphics = Graphics::new(context.gl())?;
         let info = graphics.info();

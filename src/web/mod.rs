@@ -15,6 +15,7 @@ mod note;
 mod page;
 mod page_host;
 mod rescue;
+mod resolution;
 mod scrolling;
 mod showing;
 mod tabs;

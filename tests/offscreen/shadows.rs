@@ -98,6 +98,30 @@ fn the_shadow_goes_with_the_ground_and_other_looks_have_none() {
 }
 
 #[test]
+fn shadows_and_outlines_of_what_the_graphics_card_skins_come_whatever_was_drawn_before() {
+    on_each_backend(|gl| {
+        let scene = characters::scene_of(characters::column(false));
+        let course = ViewSettings::default();
+        let id = scene.shapes()[0].id;
+        let marks = Marks {
+            selected: Some(id),
+            ..Marks::default()
+        };
+        let renderer = || {
+            let mut renderer = Renderer::new(gl).expect("a renderer");
+            renderer.set_skinning(Some(Skinning::Gpu));
+            renderer
+        };
+        let mut used = renderer();
+        // In this look there are no shadows, and nothing is selected.
+        draw_scene(&mut used, gl, SIZE, &scene, &course, Marks::default());
+        let [again, anew] = [&mut used, &mut renderer()]
+            .map(|renderer| draw_scene(renderer, gl, SIZE, &scene, &studio(), marks.clone()));
+        assert!(again.rgba == anew.rgba);
+    });
+}
+
+#[test]
 fn the_ground_reaches_to_the_lower_edge_of_a_picture_from_just_above_it() {
     on_each_backend(|gl| {
         let mut view = studio();

@@ -1,8 +1,8 @@
 //! What the browser tells of its screen and desktop while the page is open.
 
-use super::browser::{Browser, SIZE};
+use super::browser::{Browser, SIZE, VIEW};
 use super::keeping::is_dark;
-use super::picture::difference;
+use super::picture::{assert_not_blank, difference};
 use serde_json::json;
 
 /// Has the desktop ask for light or dark pages.
@@ -51,5 +51,16 @@ fn a_page_that_is_zoomed_keeps_its_pixels_and_is_as_if_it_had_been_opened_so() {
     browser.zoom(1.0);
     assert!(difference(&before, &browser.picture(), whole) < 0.001);
     assert_eq!(pixels(), json!([width, height]));
+    browser.finish();
+}
+
+#[test]
+fn a_page_that_comes_to_a_screen_of_another_resolution_is_drawn_anew() {
+    let browser = Browser::open();
+    browser.picture();
+    browser.resize(SIZE, 1.5);
+    let picture = browser.picture();
+    assert_eq!(picture.width(), SIZE.0 * 3 / 2);
+    assert_not_blank(&picture, VIEW);
     browser.finish();
 }
