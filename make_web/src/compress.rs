@@ -13,6 +13,28 @@ use std::path::{Path, PathBuf};
 /// Extensions of files that are compressed in themselves, or that no browser asks for.
 const LEFT: [&str; 4] = ["gz", "br", "png", "md"];
 
+/// Files that the first picture of the page needs.
+const OF_FIRST_PICTURE: [&str; 16] = [
+    "index.html",
+    "icon.svg",
+    "start.js",
+    "editor.js",
+    "editor_bg.wasm",
+    "assets/characters/adult.attach",
+    "assets/characters/adult.obj",
+    "assets/characters/adult.skel",
+    "assets/characters/dog.attach",
+    "assets/characters/dog.obj",
+    "assets/characters/dog.skel",
+    "assets/characters/robot.attach",
+    "assets/characters/robot.obj",
+    "assets/characters/robot.skel",
+    "assets/shapes/plant.mtl",
+    "assets/shapes/plant.obj",
+];
+/// Bytes that these may take over the wire.
+const MOST: u64 = 2_500_000;
+
 /// Writes a `.gz` and a `.br` beside every file in `folder` that becomes smaller.
 ///
 /// # Errors
@@ -34,6 +56,26 @@ pub fn compress(folder: &Path) -> Result<(), Box<dyn Error>> {
         }
     }
     Ok(())
+}
+
+/// Bytes that the first picture of the compressed page in `folder` takes over the wire.
+///
+/// # Errors
+/// If one of its files is not there, or they are more than 2.5 MB.
+pub fn of_first_picture(folder: &Path) -> Result<u64, Box<dyn Error>> {
+    let size = |name: &str| {
+        let path = folder.join(format!("{name}.br"));
+        let size = fs::metadata(&path).map(|file| file.len());
+        size.map_err(|error| format!("{}: {error}", path.display()))
+    };
+    let sizes = OF_FIRST_PICTURE.iter().map(|name| size(name));
+    let needed = sizes.sum::<Result<u64, String>>()?;
+    if needed > MOST {
+        let message =
+            format!("expected {MOST} bytes for the first picture at most, found {needed}");
+        return Err(message.into());
+    }
+    Ok(needed)
 }
 
 fn brotli(bytes: &[u8]) -> std::io::Result<Vec<u8>> {

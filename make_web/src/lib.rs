@@ -5,7 +5,7 @@ mod files;
 mod package;
 mod server;
 
-pub use compress::compress;
+pub use compress::{compress, of_first_picture};
 pub use files::write;
 pub use package::package;
 pub use server::{Server, serve};

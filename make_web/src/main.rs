@@ -16,7 +16,7 @@ fn main() -> ExitCode {
         ["write", program, assets, folder] => {
             make_web::write(Path::new(program), Path::new(assets), Path::new(folder))
         }
-        ["compress", folder] => make_web::compress(Path::new(folder)),
+        ["compress", folder] => compress(Path::new(folder)),
         ["package", folder, archive] => make_web::package(Path::new(folder), Path::new(archive)),
         ["serve", folder] => serve(folder, "8080"),
         ["serve", folder, port] => serve(folder, port),
@@ -29,6 +29,13 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+fn compress(folder: &Path) -> Result<(), Box<dyn Error>> {
+    make_web::compress(folder)?;
+    let needed = make_web::of_first_picture(folder)?;
+    println!("The first picture needs {:.2} MB.", needed as f64 / 1e6);
+    Ok(())
 }
 
 fn serve(folder: &str, port: &str) -> Result<(), Box<dyn Error>> {
