@@ -74,18 +74,20 @@ impl ContextMenu {
 }
 
 /// Opens the menu for what is at the point `at` of the window, which is selected first unless it is among what is
-/// selected. A gizmo's handle is a part of what it is of.
+/// selected. A gizmo's handle is a part of what it is of. A finger that rested has `held` a joint, which may be beside it.
 pub(super) fn ask(
     places: &ScenePlaces,
     session: &Session,
     state: &mut UiState,
     at: Pos2,
+    held: Option<(ShapeId, usize)>,
     actions: &mut Vec<Action>,
 ) {
     // What lights up: the joint that the tool would take.
-    let bone = session
+    let hovered = session
         .hovered_bone()
         .filter(|_| state.pose.hovered.is_some());
+    let bone = held.or(hovered);
     let of_bone = bone.map(|(shape, _)| shape);
     let of_handle = session.selected().filter(|_| state.pose.hot.is_some());
     let shape = of_bone.or(of_handle);

@@ -13,10 +13,10 @@ use egui::{
     PopupCloseBehavior, PopupKind, Rect, Response, RichText, ScrollArea, SetOpenCommand, Ui, Vec2,
 };
 
-/// Height of the bar and of a menu's margins, in points.
-const BAR_AND_MARGINS: f32 = 48.0;
-/// Height of the tallest menu, in points.
-const HIGHEST: f32 = 600.0;
+/// Height of what is around a row in the bar and of a menu's margins, in points.
+const MARGINS: f32 = 28.0;
+/// Height of the tallest menu, by that from row to row.
+const HIGHEST: f32 = 25.0;
 /// Before a switch that is on, and as wide before what is not.
 const MARK: &str = "✔ ";
 const NO_MARK: &str = "     ";
@@ -383,8 +383,9 @@ fn is_chosen(ui: &Ui, item: &Response) -> bool {
 
 /// The items of a menu, which scroll if the window is too low for them.
 fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
-    let room = ui.ctx().content_rect().height() - BAR_AND_MARGINS;
-    if room > HIGHEST {
+    let row = ui.spacing().interact_size.y;
+    let room = ui.ctx().content_rect().height() - MARGINS - row;
+    if room > HIGHEST * (row + ui.spacing().item_spacing.y) {
         items(ui);
     } else {
         // A menu is as high as it was last, or as egui thinks that menus are.

@@ -1,4 +1,5 @@
 use super::commands::Command;
+use super::pointing::Pointing;
 use super::theme::Palette;
 use super::widgets::{list_move, moved, named, section, select_all, tip_beside_panel};
 use super::{Action, UiState, commands, context_menu};
@@ -236,10 +237,15 @@ fn row(
     };
     let fill = Layout::top_down_justified(Align::LEFT);
     let place = UiBuilder::new().max_rect(name).layout(fill);
+    // Fingers scroll the list, which they could not where a drag moved a shape.
+    let sense = match Pointing::of(ui.ctx()) {
+        Pointing::Mouse => Sense::click_and_drag(),
+        Pointing::Fingers => Sense::click(),
+    };
     // Its frame would leave out the icons.
     let button = Button::selectable(selected, RichText::new(&label).color(color))
         .frame_when_inactive(false)
-        .sense(Sense::click_and_drag())
+        .sense(sense)
         .truncate();
     let row = ui.scope_builder(place, |ui| ui.add(button)).inner;
     let font = TextStyle::Button.resolve(ui.style());
@@ -251,7 +257,9 @@ fn row(
     if needed + 2.0 * ui.spacing().button_padding.x > name.width() {
         tip_beside_panel(ui, &row, &label);
     }
-    row.dnd_set_drag_payload((shape.id, index));
+    if sense.senses_drag() {
+        row.dnd_set_drag_payload((shape.id, index));
+    }
     eye_and_lock(ui, icons, session, shape, actions);
     row
 }

@@ -260,6 +260,8 @@ impl UiState {
     pub(super) fn fold_panel(&mut self, fold: bool) {
         if self.is_narrow {
             self.unfolded_in_narrow = !fold;
+            // In what is left of the view it would cover the figures.
+            self.first_help &= fold;
         } else {
             self.panel_folded = fold;
         }

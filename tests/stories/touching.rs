@@ -373,3 +373,72 @@ fn on_a_machine_for_fingers_rows_and_buttons_are_higher() {
         assert!(after >= before + 6.0, "{before} {after}");
     }
 }
+
+#[test]
+fn a_long_press_beside_a_bone_opens_the_menu_of_the_bone_that_it_lights_up() {
+    let (mut story, bone) = with_bones();
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, bone + vec2(18.0, 0.0));
+    story.wait(1.0);
+    story.settle();
+    hand.lift_all(&mut story);
+    assert!(story.has("Reset Joint") && !story.has("Fit All to View"));
+    assert!(story.session().selected_joint().is_some());
+}
+
+#[test]
+fn a_swipe_over_the_list_of_shapes_scrolls_it_and_moves_no_shape() {
+    let mut story = Story::start(&["builtin:showcase"]);
+    for _ in 0..6 {
+        story.key_with(Modifiers::SHIFT, Key::C);
+    }
+    story.size = (412, 780);
+    story.settle();
+    story.click("Shape Panel");
+    let row = "[4] Adult (ID: 4)";
+    let (names, before) = (story.names().join(" "), story.place(row));
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, before);
+    hand.move_by(&mut story, &[vec2(0.0, -20.0)]);
+    hand.move_by(&mut story, &[vec2(0.0, -30.0)]);
+    hand.lift_all(&mut story);
+    assert_eq!(story.names().join(" "), names);
+    let after = story.place(row);
+    assert!(after.y < before.y - 20.0, "{before} {after}");
+}
+
+#[test]
+fn the_first_help_leaves_the_figure_free_above_the_sheet() {
+    let mut story = Story::start(&["builtin:robot"]);
+    story.program.ui_mut().first_help = true;
+    story.size = (412, 780);
+    story.settle();
+    assert!(story.has("Close help"));
+    story.click("Shape Panel");
+    assert!(!story.has("Close help"));
+}
+
+#[test]
+fn menus_with_rows_for_fingers_scroll_where_they_are_higher_than_the_window() {
+    for height in [560, 700, 780, 860, 1000] {
+        let mut story = Story::start(&["builtin:robot"]);
+        story.program.ui_mut().has_fingers_first = true;
+        story.size = (412, height);
+        story.settle();
+        story.click("Edit");
+        let top = story.place("Undo");
+        assert!(top.y > 30.0, "{height}: {top} is not below the bar");
+        story.point(top + vec2(0.0, 120.0));
+        for _ in 0..30 {
+            story.frame(vec![Event::MouseWheel {
+                unit: egui::MouseWheelUnit::Point,
+                delta: vec2(0.0, -60.0),
+                phase: TouchPhase::Move,
+                modifiers: Modifiers::NONE,
+            }]);
+        }
+        story.settle();
+        let last = story.place("Preferences…");
+        assert!(last.y < height as f32, "{height}: {last}");
+    }
+}

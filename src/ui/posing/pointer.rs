@@ -40,6 +40,12 @@ pub(in crate::ui) fn pointer(
         && step == GestureStep::Begin
     {
         state.tool = does;
+        let what = match does {
+            Tool::Move => "Put a finger on the shape to move it",
+            Tool::Rotate => "Put a finger on a ring to turn the shape",
+            _ => "Put a finger on a handle to scale the shape",
+        };
+        actions.push(Action::View(View::Tell(what)));
     }
     let inserts = |action: &Action| matches!(action, Action::Edit(Edit::Insert(_)));
     if state.asked.is_some() && actions.iter().any(inserts) {
@@ -67,7 +73,8 @@ pub(in crate::ui) fn pointer(
         let held = held.joint().map(|joint| (held.shape(), joint));
         if !gesture.follow(view, places, session, actions) {
             state.gesture = None;
-            state.let_go = view.hover_pos().zip(held);
+            let at = view.ctx.input(|input| input.pointer.latest_pos());
+            state.let_go = at.zip(held);
         }
         view.ctx.set_cursor_icon(CursorIcon::Grabbing);
         mark(session, held, actions);
