@@ -394,10 +394,12 @@ fn a_swipe_over_the_list_of_shapes_scrolls_it_and_moves_no_shape() {
     }
     story.size = (412, 780);
     story.settle();
-    story.click("Shape Panel");
+    let mut hand = Hand::new();
+    let handle = story.place("Shape Panel");
+    hand.put_down(&mut story, 1, handle);
+    hand.lift_all(&mut story);
     let row = "[4] Adult (ID: 4)";
     let (names, before) = (story.names().join(" "), story.place(row));
-    let mut hand = Hand::new();
     hand.put_down(&mut story, 1, before);
     hand.move_by(&mut story, &[vec2(0.0, -20.0)]);
     hand.move_by(&mut story, &[vec2(0.0, -30.0)]);
