@@ -1,8 +1,8 @@
 //! Where a figure that is added stands among the shapes that are there already.
 
 use super::{Edit, Session};
-use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeKind};
+use crate::math::{Aabb, Euler, Transform};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeId, ShapeKind};
 use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
@@ -132,6 +132,30 @@ pub fn set_beside_figures(session: &Session, shape: &mut NewShape) {
     for placement in [&mut shape.placement, &mut shape.start] {
         placement.transform.position += by;
     }
+}
+
+/// `transform`, in which the shape `id` is scaled otherwise than it is: moved up or down so that a figure that stands on
+/// the ground stays there.
+pub fn kept_on_ground(session: &Session, id: ShapeId, transform: Transform) -> Transform {
+    let shown = session.evaluated().shape(id);
+    let is_figure = session
+        .scene()
+        .shape(id)
+        .is_some_and(|shape| shape.front().is_some());
+    let Some(shown) = shown.filter(|_| is_figure) else {
+        return transform;
+    };
+    let at_rest = shown.geometry.mesh.bounds();
+    let Some(floor) = ground_below(session, &at_rest.transformed(shown.world_from_model)) else {
+        return transform;
+    };
+    let lowest = at_rest.transformed(transform.world_from_model()).min.y;
+    let up = floor - lowest;
+    let mut kept = transform;
+    if up.is_finite() {
+        kept.position.y += up;
+    }
+    kept
 }
 
 /// Height, in the world, of the ground that a figure with these `bounds` stands on; `None` if it stands on none.

@@ -23,7 +23,7 @@ mod shape_turn;
 mod step_name;
 mod swing;
 
-pub use among::{set_among, set_beside_each_other, set_beside_figures};
+pub use among::{kept_on_ground, set_among, set_beside_each_other, set_beside_figures};
 pub use apply::{Change, EditError, apply};
 pub use constraint::Constraint;
 pub use control_point_drag::{ControlPointDrag, control_point_at};

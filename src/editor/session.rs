@@ -175,7 +175,9 @@ impl Session {
             View::SelectTo(shape) => self.select_to(shape),
             View::SelectAll => {
                 let shown = self.scene.shapes().iter().filter(|shape| shape.visible);
-                let all = shown.map(|shape| shape.id);
+                // What is locked would keep the others from being moved and deleted.
+                let free = shown.filter(|shape| !shape.locked);
+                let all = free.map(|shape| shape.id);
                 self.selection = Selection::all(all, self.selected());
             }
             View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),

@@ -1,8 +1,13 @@
 //! Pictures with the few colors that a GIF can hold.
 
+use quantette::color_space::{oklab_to_srgb8, srgb8_to_oklab};
 use quantette::deps::palette::Srgb;
-use quantette::{ImageBuf, PaletteSize, Pipeline};
+use quantette::wu::{BinnerF32x3, WuF32x3};
+use quantette::{ImageBuf, PaletteSize};
 use std::collections::HashSet;
+
+/// Names the ranges of a binner of any size.
+type Bins = BinnerF32x3<1, 1, 1>;
 
 /// Colors of a GIF beside the transparent one.
 const COLORS: u8 = 255;
@@ -17,26 +22,23 @@ pub(super) fn in_few_colors(rgba: &[u8], width: u32, height: u32) -> Option<Vec<
         .clone()
         .map(|pixel| Srgb::new(pixel[0], pixel[1], pixel[2]));
     let picture = ImageBuf::new(width, height, colors.collect()).ok()?;
-    let pipeline = Pipeline::new()
-        .palette_size(PaletteSize::from_u8_clamped(COLORS))
-        .ditherer(None);
     let reduced = if are_few(picture.as_slice()) {
-        picture
+        picture.as_slice().to_vec()
     } else {
-        pipeline.input_image(picture.as_ref()).output_srgb8_image()
+        let mut colors = srgb8_to_oklab(picture.as_slice());
+        // Brightness in fine steps: gradients of gray would have some twenty shades with the steps that are usual.
+        let bins = BinnerF32x3::<200, 32, 32>::new(Bins::OKLAB_COMPONENT_RANGES_FROM_SRGB8);
+        let found = WuF32x3::run_slice(&colors, bins).ok()?;
+        found
+            .color_map(PaletteSize::from_u8_clamped(COLORS))
+            .map_slice_in_place(&mut colors);
+        oklab_to_srgb8(&colors)
     };
     let pixel = |(color, before): (&Srgb<u8>, &[u8])| match before[3] {
         0 => [0; 4],
         _ => [color.red, color.green, color.blue, 255],
     };
-    Some(
-        reduced
-            .as_slice()
-            .iter()
-            .zip(pixels)
-            .flat_map(pixel)
-            .collect(),
-    )
+    Some(reduced.iter().zip(pixels).flat_map(pixel).collect())
 }
 
 /// Whether there is room for all of these colors.

@@ -36,6 +36,8 @@ pub(super) struct MeshComparison {
     /// Their mesh to be drawn.
     geometry: Arc<EvaluatedGeometry>,
     shown: MeshesShown,
+    /// Why the file cannot be compared as it is now.
+    problem: Option<String>,
     /// The newest pose, and when it came.
     pose: Option<(Revision, Duration)>,
     measured: Option<Measured>,
@@ -72,6 +74,7 @@ impl MeshComparison {
             theirs: positions,
             geometry: Arc::new(EvaluatedGeometry::rigid(mesh, bounds, revision)),
             shown: MeshesShown::default(),
+            problem: None,
             pose: None,
             measured: None,
             legend: Legend::default(),
@@ -122,6 +125,7 @@ impl MeshComparison {
             mesh: self.geometry.revision,
             shown: self.shown,
             theirs: &self.theirs,
+            problem: self.problem.as_deref(),
             measure: self.measured.as_ref().map(|measured| &measured.measure),
             diagnosis: diagnosis.map(|(_, diagnosis)| diagnosis),
             is_diagnosing: diagnosis.is_none(),
@@ -255,8 +259,44 @@ fn words(name: &str, measure: Option<&MeshMeasure>) -> Legend {
 
 impl Program {
     /// Compares a character with the mesh at `path` from now on. One that cannot be a pose of it
-    /// changes nothing.
+    /// changes nothing, and is told.
     pub(super) fn compare_with_mesh(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
+        if let Err(why) = self.try_to_compare_with_mesh(shape, path, files) {
+            self.tell(Severity::Error, why);
+        }
+    }
+
+    /// Compares the character of the comparison with the mesh at `path` as it is now. Where that is not possible, the
+    /// panel says so in place of what was found out about the version before.
+    pub(super) fn compare_with_mesh_anew(
+        &mut self,
+        shape: ShapeId,
+        path: &Path,
+        files: &dyn Files,
+    ) {
+        let compared = if files.exists(path) {
+            self.try_to_compare_with_mesh(shape, path, files)
+        } else {
+            Err(format!("{} is gone.", file_name(path)))
+        };
+        match (compared, &mut self.mesh_comparison) {
+            (Err(why), Some(comparison)) => comparison.problem = Some(why),
+            (Err(why), None) => self.tell(Severity::Error, why),
+            (Ok(()), _) => {
+                let text = format!("{} is read and compared anew", file_name(path));
+                self.tell(Severity::Info, text);
+            }
+        }
+    }
+
+    /// # Errors
+    /// With the reason in words, if the mesh cannot be read or cannot be a pose of the character.
+    fn try_to_compare_with_mesh(
+        &mut self,
+        shape: ShapeId,
+        path: &Path,
+        files: &dyn Files,
+    ) -> Result<(), String> {
         let read = files
             .read(path)
             .and_then(|bytes| io::read_character_obj(path, &bytes));
@@ -265,32 +305,31 @@ impl Program {
                 self.tell_all(Severity::Warning, read.warnings);
                 read.value
             }
-            Err(error) => return self.tell(Severity::Error, error.to_string()),
+            Err(error) => return Err(error.to_string()),
         };
         let scene = self.session.scene();
         let name = file_name(path);
         let found = theirs.positions.len();
         let Some(character) = scene.character(shape) else {
-            let text = format!("{name} is not compared: the character does not exist any more");
-            return self.tell(Severity::Error, text);
+            return Err(format!(
+                "{name} is not compared: the character does not exist any more"
+            ));
         };
         let ours = scene
             .shape(shape)
             .map_or("the character", |shape| &shape.name);
         if character.skinning_method() != SkinningMethod::LinearBlend {
-            let text = format!(
+            return Err(format!(
                 "{name} is not compared with {ours}, which is skinned with dual quaternions: \
                  choose Linear Blend in its panel"
-            );
-            return self.tell(Severity::Error, text);
+            ));
         }
         if !may_be_of(&character.character, found) {
             let expected = character.character.bind_mesh().positions.len();
-            let text = format!(
+            return Err(format!(
                 "{} is not compared with {ours}, which has {expected} vertices: this mesh has {found}",
                 path.display()
-            );
-            return self.tell(Severity::Error, text);
+            ));
         }
         let is_placed = self.is_placed_like(shape, &theirs);
         if let Some(model_from_world) = is_placed {
@@ -311,6 +350,7 @@ impl Program {
         comparison.shown = shown.unwrap_or_default();
         self.mesh_comparison = Some(comparison);
         self.compared_path = Some(path.to_owned());
+        Ok(())
     }
 
     /// The transform that takes `theirs` to the space of the model, if it is in the world with the placement of the

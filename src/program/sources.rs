@@ -44,7 +44,7 @@ impl Program {
     /// is read anew.
     pub(super) fn notice_change(&mut self, path: &Path, host: &mut dyn Host) {
         let is_there = host.files().exists(path);
-        if is_there && self.compared_file() == Some(path) {
+        if self.compared_file() == Some(path) {
             self.compare_anew(host);
         }
         let text = if self.document.path() == Some(path) {
@@ -80,10 +80,8 @@ impl Program {
         let Some(path) = self.compared_file().map(Path::to_owned) else {
             return false;
         };
-        let text = format!("{} is read and compared anew", file_name(&path));
-        self.tell(Severity::Info, text);
         match self.mesh_comparison.as_ref().map(MeshComparison::shown) {
-            Some((shape, _)) => self.compare_with_mesh(shape, &path, &*host.files()),
+            Some((shape, _)) => self.compare_with_mesh_anew(shape, &path, &*host.files()),
             None => self.compare_with(&path, &*host.files()),
         }
         true

@@ -174,8 +174,8 @@ impl EvaluatedGeometry {
     }
 }
 
-/// See [`EvaluatedShape::sunk`]. What is scaled about its middle has another position, but has not been moved; what is
-/// turned about its feet has its middle elsewhere, but has not been moved either.
+/// See [`EvaluatedShape::sunk`]. What is scaled about its middle or about its lower end has another position, but has not
+/// been moved; what is turned about its feet has its middle elsewhere, but has not been moved either.
 fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
     let bounds = match &geometry.curves {
         Some(_) => geometry.bounds(),
@@ -190,8 +190,12 @@ fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
         let world_from_model = placement.transform.world_from_model();
         world_from_model.transform_point3(middle).y
     });
+    let of_lower_end = down(&|placement| {
+        let world_from_model = placement.transform.world_from_model();
+        bounds.transformed(world_from_model).min.y
+    });
     // The middle of nothing is nowhere.
-    position.min(of_middle)
+    position.min(of_middle).min(of_lower_end)
 }
 
 impl EvaluatedShape {
@@ -330,6 +334,17 @@ mod tests {
         assert_eq!(sunk_by(-1.0, 2.0, 0.0), 0.0);
         assert_eq!(sunk_by(-1.5, 2.0, 0.0), 0.5);
         assert_eq!(sunk_by(0.0, 1.0, 90.0), 0.0);
+        // About its lower end, where the origin is in its middle.
+        let round = vec![Vec3::new(-0.2, -1.0, 0.0), Vec3::new(0.2, 1.0, 0.1)];
+        let mesh = SharedMesh::new(Mesh::new(round, Vec::new()));
+        let bounds = mesh.bounds();
+        let geometry = EvaluatedGeometry::rigid(mesh, bounds, Revision::new());
+        let mut scene = Scene::new();
+        let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
+        let shape = scene.shape_mut(id).unwrap();
+        shape.placement.transform.scale = Vec3::splat(0.5);
+        shape.placement.transform.position.y = -0.5;
+        assert_eq!(sunk(shape, &geometry), 0.0);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::labelled;
 use super::{Action, Ask, character_panel, color_field, commands, curve_panel, joint_list};
-use crate::editor::{self, Edit, Session, View, for_all_selected};
+use crate::editor::{self, Edit, Session, View, for_all_selected, kept_on_ground};
 use crate::math::Transform;
 use crate::scene::{Shape, ShapeKind};
 use egui::{Align, Button, Label, Layout, RichText, Ui, vec2};
@@ -114,7 +114,8 @@ fn properties(
                 .show(ui, size)
         });
         if let Some(scale) = scale {
-            edited = Some(with(now, |to| to.scale = Vec3::splat(scale)));
+            let scaled = with(now, |to| to.scale = Vec3::splat(scale));
+            edited = Some(kept_on_ground(session, shape.id, scaled));
         }
     } else {
         let scale = row_of_three(ui, "Scale (X, Y, Z)", "Scale", |axis, name| {
@@ -124,7 +125,8 @@ fn properties(
                 .decimals(2..=3)
         });
         if let Some((axis, value)) = scale {
-            edited = Some(with(now, |to| to.scale[axis] = value));
+            let scaled = with(now, |to| to.scale[axis] = value);
+            edited = Some(kept_on_ground(session, shape.id, scaled));
         }
     }
 

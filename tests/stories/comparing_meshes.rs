@@ -769,9 +769,19 @@ fn a_mesh_that_its_program_writes_anew_is_compared_anew() {
     write(&mut story, mine(&dog(), &RIGHT));
     diagnose(&mut story);
     text(&story, "Right: this is the exact result");
-    // One that cannot be read, since it is only half written, changes nothing.
+    // One that cannot be read, or is gone, is no right one any more.
     write(&mut story, b"v 1 2".to_vec());
-    text(&story, "Right: this is the exact result");
+    text(&story, "mine.obj:1:6: expected");
+    let says_right = |story: &Story| texts(story).iter().any(|text| text.starts_with("Right: "));
+    assert!(!says_right(&story));
+    story.host.files.remove(Path::new("mine.obj"));
+    let changed = HostEvent::Changed("mine.obj".into());
+    story.host.events.push_back(changed);
+    story.settle();
+    text(&story, "mine.obj is gone.");
+    write(&mut story, mine(&dog(), &RIGHT));
+    diagnose(&mut story);
+    assert!(says_right(&story));
     // Reload Models reads it, too.
     let wrong = mine(&dog(), &off_by_one());
     story.host.files.insert("mine.obj".into(), wrong);

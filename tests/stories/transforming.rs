@@ -93,6 +93,15 @@ fn a_figure_that_is_scaled_stays_on_the_ground_of_the_others() {
     let after = bounds(&story);
     assert!((after.min.y - before.min.y).abs() < 1e-4, "{after:?}");
     assert!((after.size().y / before.size().y - 2.0).abs() < 1e-4);
+    // So it does with *Reset Scale*, and by numbers.
+    story.key_with(Modifiers::ALT, Key::S);
+    assert!((bounds(&story).min.y - before.min.y).abs() < 1e-4);
+    assert!((bounds(&story).size().y - before.size().y).abs() < 1e-4);
+    for scale in ["0.5", "1.5", "1"] {
+        story.type_into("Uniform Scale", scale);
+        let now = bounds(&story).min.y;
+        assert!((now - before.min.y).abs() < 1e-4, "{scale}: {now}");
+    }
     // Without a ground it grows about its origin.
     story.key(Key::F2);
     let position = story.transform().position;

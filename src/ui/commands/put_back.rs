@@ -1,16 +1,20 @@
 //! Commands that put back where shapes are, how they are turned, or how large they are.
 
 use super::Command;
-use crate::editor::{Edit, Session};
+use crate::editor::{Edit, Session, kept_on_ground};
 use crate::math::Transform;
 use crate::scene::Shape;
 use crate::ui::Action;
 
 /// Puts this part of the selected shapes back to the start, each to its own.
 pub(super) fn put_back(command: Command, session: &Session) -> Action {
-    let edits = session
-        .selected_shapes()
-        .filter_map(|shape| Some(Edit::SetTransform(shape.id, back(command, shape)?)));
+    let edits = session.selected_shapes().filter_map(|shape| {
+        let mut back = back(command, shape)?;
+        if command == Command::ResetScale {
+            back = kept_on_ground(session, shape.id, back);
+        }
+        Some(Edit::SetTransform(shape.id, back))
+    });
     Action::Edit(Edit::Together(edits.collect()))
 }
 

@@ -136,6 +136,11 @@ impl Parts<'_> {
     /// What is wrong, in words.
     fn diagnosis(&mut self, ui: &mut Ui) {
         let palette = Palette::of(ui.visuals());
+        if let Some(problem) = self.compare.problem {
+            say(ui, problem, palette.error);
+            let text = "The colors and numbers are those of the version before.";
+            return say(ui, text, palette.weak);
+        }
         if self.compare.is_diagnosing {
             let mut text = "Looking for the mistake…".to_owned();
             if let Some(part) = self.compare.diagnosed_part {

@@ -48,6 +48,8 @@ pub struct CompareMeshView<'a> {
     pub shown: MeshesShown,
     /// Their vertices, in model space.
     pub theirs: &'a [Vec3],
+    /// Why their file cannot be compared as it is now; what is shown is of the version before.
+    pub problem: Option<&'a str>,
     /// How far they are from ours; `None` if they have another number of vertices.
     pub measure: Option<&'a MeshMeasure>,
     /// What is wrong with theirs, as far as it is known.

@@ -44,14 +44,14 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
         for (joint, start, end) in bones_in_world(scene, shown) {
             let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
             let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
-            let distances = pixels.map(|pixel| {
-                let outside = ((pixel - middle).abs() - half).max(Vec2::ZERO);
-                (outside.length(), (pixel - middle).length())
-            });
-            let inside = distances.filter(|(outside, _)| *outside <= NEAR * size.y);
-            let Some(distance) = inside.map(|(_, d)| d).min_by(f32::total_cmp) else {
+            let pixels: Vec<Vec2> = pixels.collect();
+            let outside = |pixel: &Vec2| ((pixel - middle).abs() - half).max(Vec2::ZERO).length();
+            if !pixels.iter().any(|pixel| outside(pixel) <= NEAR * size.y) {
                 continue;
-            };
+            }
+            // Of the whole bone: a shin ends where the foot begins, which alone may be off.
+            let distances = pixels.iter().map(|pixel| (pixel - middle).length());
+            let distance = distances.sum::<f32>() / pixels.len() as f32;
             if nearest.as_ref().is_none_or(|(least, _)| distance < *least) {
                 let name = &joints[joint].name;
                 let whose = if several {
