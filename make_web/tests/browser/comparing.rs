@@ -82,22 +82,26 @@ fn the_page_goes_on_while_a_picture_is_compared_with_the_view() {
     browser.press(&[F8]);
     let chosen = browser.script("return performance.now()");
     browser.choose(&[file.path().to_owned()]);
-    browser.wait("the pictures are compared", || jobs(&browser) >= before + 2);
+    let of_longest = || {
+        let numbers = browser.script(&format!("const before = {before}; {LONGEST}"));
+        [0, 1, 2].map(|index| numbers[index].as_f64().unwrap())
+    };
+    // The differences with hard edges and with smooth ones, and the cause.
+    browser.wait("the pictures are compared", || {
+        jobs(&browser) >= before + 3 && of_longest()[2] >= 10.0
+    });
     let choosing = format!("const before = {before}, chosen = {chosen}; {CHOOSING}");
     let choosing = browser.script(&choosing).as_f64().unwrap();
     eprintln!("the longest stop until both pictures are there {choosing:.0} ms");
     let reads = browser.script("return reads");
-    assert_eq!(
-        reads,
-        serde_json::json!([["copied", true], ["read", true]]),
-        "the page waits for the graphics card"
+    let reads = reads.as_array().unwrap();
+    let at_once = reads.iter().all(|read| read[1] == true);
+    assert!(
+        reads.len() >= 4 && at_once,
+        "the page waits for the graphics card: {reads:?}"
     );
-    let [whole, longest, frames] = [0, 1, 2].map(|index| {
-        let numbers = browser.script(&format!("const before = {before}; {LONGEST}"));
-        numbers[index].as_f64().unwrap()
-    });
+    let [whole, longest, frames] = of_longest();
     eprintln!("compared in {whole:.0} ms with {frames} frames, the longest stop {longest:.0} ms");
-    assert!(frames >= 10.0, "{frames} frames in {whole} ms");
     assert!(
         longest < whole / 5.0,
         "{longest} of {whole} ms in one piece"

@@ -128,7 +128,7 @@ fn an_export_does_not_take_the_name_of_a_model_that_was_given() {
     browser.choose(&files.map(|name| asset(&format!("characters/{name}"))));
     browser.picture();
     browser.press(&[CTRL, SHIFT, "e"]);
-    let exported = browser.downloaded("robot-2.obj");
+    let exported = browser.downloaded("robot-posed.obj");
     assert!(String::from_utf8(exported).unwrap().contains("\nv "));
     browser.finish();
 }
