@@ -99,6 +99,30 @@ fn a_picture_that_was_saved_here_is_equal_without_a_choice_of_edges() {
 }
 
 #[test]
+fn what_is_off_is_near_the_joint_that_was_turned() {
+    for joint in ["Right foot", "Left knee", "Right elbow"] {
+        let mut story = Story::start(&["builtin:adult"]);
+        // All joints are listed.
+        story.size = (1000, 1300);
+        story.settle();
+        story.save_view((600, 450), "mine.png");
+        let saved = story.host.written[Path::new("mine.png")].clone();
+        story.host.files.insert("mine.png".into(), saved);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        story.type_into(&format!("{joint} X"), "40");
+        judge(&mut story);
+        let near = format!("Near {joint}");
+        let told = texts(&story);
+        assert!(
+            told.iter().any(|text| text.starts_with(&near)),
+            "{joint}: {told:?}"
+        );
+    }
+}
+
+#[test]
 fn how_much_of_a_comparison_is_done_is_shown_while_it_goes_on() {
     let (mut story, mut job) = judging();
     let told = |story: &Story| {

@@ -25,14 +25,47 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
     })
 }
 
-/// Name of the joint, with the character's if there are several.
+/// Share of the bone of a joint that is in the area of what the joint has turned, but for its beginning; and of bones that
+/// hang on that, which may have gone out of it.
+const OWN: f32 = 0.75;
+const BELOW: f32 = 0.5;
+
+/// A bone beside an area of a picture.
+#[derive(Clone, Copy, Debug)]
+struct BoneSeen {
+    /// Whether a part of it is in the area, or near it.
+    is_near: bool,
+    /// Share of it that is in the area, 0 to 1.
+    inside: f32,
+    /// Mean distance from the middle of the area, in pixels. Of the whole bone: a shin ends where the foot begins, which
+    /// alone may be off.
+    distance: f32,
+}
+
+impl BoneSeen {
+    /// A bone with points at `pixels`, beside the area that reaches `half` to all sides of `middle`.
+    fn new(pixels: &[Vec2], middle: Vec2, half: Vec2, near: f32) -> Self {
+        let outside = |pixel: &Vec2| ((pixel - middle).abs() - half).max(Vec2::ZERO).length();
+        let inside = pixels.iter().filter(|pixel| outside(pixel) == 0.0).count();
+        let distances = pixels.iter().map(|pixel| (pixel - middle).length());
+        Self {
+            is_near: pixels.iter().any(|pixel| outside(pixel) <= near),
+            inside: inside as f32 / pixels.len().max(1) as f32,
+            distance: distances.sum::<f32>() / pixels.len().max(1) as f32,
+        }
+    }
+}
+
+/// Name of the joint, with the character's if there are several: of those that have all of their bones and of those that
+/// hang on them in the area the one nearest to the root, since a joint takes along what hangs on it; or else the one whose
+/// bone is nearest to the middle.
 fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<String> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let half = Vec2::new(area.width as f32, area.height as f32) / 2.0;
     let middle = Vec2::new(area.x as f32, area.y as f32) + half;
     let camera = &session.view().camera;
     let (scene, evaluated) = (session.scene(), session.evaluated());
-    let mut nearest: Option<(f32, String)> = None;
+    let mut nearest: Option<((usize, f32), String)> = None;
     let characters = scene.shapes().iter().filter(|shape| shape.visible);
     let characters = characters.filter_map(|shape| Some((shape, scene.character(shape.id)?)));
     let several = characters.clone().count() > 1;
@@ -41,25 +74,34 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
             continue;
         };
         let joints = character.character.skeleton().joints();
-        for (joint, start, end) in bones_in_world(scene, shown) {
+        let bones = bones_in_world(scene, shown).map(|(joint, start, end)| {
             let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
             let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
             let pixels: Vec<Vec2> = pixels.collect();
-            let outside = |pixel: &Vec2| ((pixel - middle).abs() - half).max(Vec2::ZERO).length();
-            if !pixels.iter().any(|pixel| outside(pixel) <= NEAR * size.y) {
-                continue;
-            }
-            // Of the whole bone: a shin ends where the foot begins, which alone may be off.
-            let distances = pixels.iter().map(|pixel| (pixel - middle).length());
-            let distance = distances.sum::<f32>() / pixels.len() as f32;
-            if nearest.as_ref().is_none_or(|(least, _)| distance < *least) {
+            (joint, BoneSeen::new(&pixels, middle, half, NEAR * size.y))
+        });
+        let bones: Vec<(usize, BoneSeen)> = bones.collect();
+        let above =
+            |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
+        for &(joint, seen) in bones.iter().filter(|(_, seen)| seen.is_near) {
+            let mut below = bones
+                .iter()
+                .filter(|(other, _)| above(*other).any(|a| a == joint));
+            let takes_all = seen.inside >= OWN && below.all(|(_, seen)| seen.inside >= BELOW);
+            let rank = if takes_all {
+                above(joint).count()
+            } else {
+                usize::MAX
+            };
+            let place = (rank, seen.distance);
+            if nearest.as_ref().is_none_or(|(least, _)| place < *least) {
                 let name = &joints[joint].name;
                 let whose = if several {
                     format!("{name} of {}", shape.name)
                 } else {
                     name.clone()
                 };
-                nearest = Some((distance, whose));
+                nearest = Some((place, whose));
             }
         }
     }
