@@ -97,3 +97,31 @@ pub(super) fn with_extension(path: &Path, extension: &str) -> PathBuf {
     name.push(extension);
     PathBuf::from(name)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs::File;
+
+    #[test]
+    fn a_first_picture_has_a_size_only_if_all_its_files_are_there_and_small_enough() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, size: u64| {
+            let path = folder.path().join(format!("{name}.br"));
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            File::create(path).unwrap().set_len(size).unwrap();
+        };
+        let size = || of_first_picture(folder.path()).map_err(|error| error.to_string());
+        let [last, others @ ..] = OF_FIRST_PICTURE;
+        for name in others {
+            write(name, 2);
+        }
+        let missing = size().unwrap_err();
+        assert!(missing.contains(&format!("{last}.br: ")), "{missing}");
+        write(last, MOST - 30);
+        assert_eq!(size(), Ok(MOST));
+        write(last, MOST - 29);
+        let expected = "expected 2500000 bytes for the first picture at most, found 2500001";
+        assert_eq!(size(), Err(expected.to_owned()));
+    }
+}

@@ -2,7 +2,9 @@
 
 use super::{Edit, Session};
 use crate::math::{Aabb, Euler, Transform};
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeId, ShapeKind};
+use crate::scene::{
+    Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeId, ShapeKind,
+};
 use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
@@ -137,30 +139,24 @@ pub fn set_beside_figures(session: &Session, shape: &mut NewShape) {
 /// `transform`, in which the shape `id` is scaled otherwise than it is: moved up or down so that a figure that stands on
 /// the ground stays there.
 pub fn kept_on_ground(session: &Session, id: ShapeId, transform: Transform) -> Transform {
-    let shown = session.evaluated().shape(id);
-    let is_figure = session
-        .scene()
-        .shape(id)
-        .is_some_and(|shape| shape.front().is_some());
-    let Some(shown) = shown.filter(|_| is_figure) else {
-        return transform;
+    let mut kept = transform;
+    let (Some(floor), Some(shown)) = (ground_below(session, id), session.evaluated().shape(id))
+    else {
+        return kept;
     };
     let at_rest = shown.geometry.mesh.bounds();
-    let Some(floor) = ground_below(session, &at_rest.transformed(shown.world_from_model)) else {
-        return transform;
-    };
-    let lowest = at_rest.transformed(transform.world_from_model()).min.y;
-    let up = floor - lowest;
-    let mut kept = transform;
+    let up = floor - at_rest.transformed(transform.world_from_model()).min.y;
     if up.is_finite() {
         kept.position.y += up;
     }
     kept
 }
 
-/// Height, in the world, of the ground that a figure with these `bounds` stands on; `None` if it stands on none.
-pub(super) fn ground_below(session: &Session, bounds: &Aabb) -> Option<f32> {
+/// Height, in the world, of the ground that the shape `id` stands on; `None` if it stands on none, or is no figure.
+pub(super) fn ground_below(session: &Session, id: ShapeId) -> Option<f32> {
+    session.scene().shape(id)?.front()?;
     let ground = ground_of_characters(session).filter(|_| session.view().has_ground())?;
+    let bounds = at_rest(session.evaluated().shape(id)?);
     let above = bounds.min.y - ground;
     (above.abs() <= OFF_THE_GROUND * bounds.size().y).then_some(bounds.min.y)
 }
@@ -203,11 +199,14 @@ fn ground_of_characters(session: &Session) -> Option<f32> {
     let shapes = session.scene().shapes().iter();
     let characters = shapes.filter(|shape| shape.visible && shape.front().is_some());
     let evaluated = characters.filter_map(|shape| session.evaluated().shape(shape.id));
-    let lowest = evaluated.map(|shape| {
-        let at_rest = shape.geometry.mesh.bounds();
-        at_rest.transformed(shape.world_from_model).min.y
-    });
+    let lowest = evaluated.map(|shape| at_rest(shape).min.y);
     lowest.reduce(f32::min).filter(|height| height.is_finite())
+}
+
+/// Bounds of a shape at rest, in the world.
+fn at_rest(shape: &EvaluatedShape) -> Aabb {
+    let bounds = shape.geometry.mesh.bounds();
+    bounds.transformed(shape.world_from_model)
 }
 
 fn shows_back(front: Vec3, toward: Vec3) -> bool {

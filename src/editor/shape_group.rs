@@ -32,14 +32,11 @@ impl ShapeGroup {
         let rotation = active.placement.transform.rotation;
         let shown = session.evaluated().shape(active.id)?;
         let pivot = shown.world_from_model.transform_point3(pivot_of(shown));
-        let at_rest = shown.geometry.mesh.bounds();
-        let at_rest = at_rest.transformed(shown.world_from_model);
-        let ground = active.front().and_then(|_| ground_below(session, &at_rest));
         let all = session.selected_shapes();
         is_free(active.id).then(|| Self {
             active: active.id,
             pivot,
-            floor: ground.unwrap_or(pivot.y),
+            floor: ground_below(session, active.id).unwrap_or(pivot.y),
             own: rotation.to_dmat3(),
             shapes: all
                 .filter(|shape| is_free(shape.id))

@@ -101,7 +101,7 @@ fn words_of_vertex(line: &str) -> Option<impl Iterator<Item = &str>> {
 
 /// The number that a word stands for, or that it is none.
 fn value(word: &str) -> f64 {
-    let is_infinite = word.to_ascii_lowercase().contains("inf") || word.contains("#INF");
+    let is_infinite = word.to_ascii_lowercase().contains("inf");
     match word.parse() {
         Ok(value) => value,
         Err(_) if is_infinite && word.starts_with('-') => f64::NEG_INFINITY,

@@ -14,11 +14,11 @@ pub(super) const OF_POSED_MESHES: &str = "4.2";
 /// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
 /// pose of its test shows nothing of what the test asks for, whatever the section.
 pub(super) const POSE_NOT_APPLIED: &str = "pose-not-applied";
+/// What it leaves unless the rubric says otherwise.
+const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// Share of its joints from which on another pose shows what the test asks for: a slip in one angle is no worse than what
 /// nothing explains.
 const MOSTLY_AS_ASKED: f64 = 0.5;
-/// What that leaves unless the rubric says otherwise.
-const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
 /// mistake in skinning.
 const LEFT_BY_LITTLE: &[(&str, f64)] = &[

@@ -274,11 +274,10 @@ impl Test {
             }),
             causes: explanations(told, &found.same_as),
             error: rounded(found.error_from_exact),
-            nearly: (found
-                .is_nearly_right()
-                .then(|| RIGHT_BUT_FOR_FEW.to_owned()))
-            .into_iter()
-            .collect(),
+            nearly: match found.is_nearly_right() {
+                true => vec![RIGHT_BUT_FOR_FEW.to_owned()],
+                false => Vec::new(),
+            },
             as_asked: 0.0,
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
             picture: if found.verdict == Verdict::Right {

@@ -17,17 +17,17 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
         Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
             of_mistakes(&graded.nearly)
         }
-        Outcome::OtherPose if counts_by_vertices(graded, rubric) => {
+        Outcome::Unexplained => {
             vec![why_by_vertices(
-                "a pose in which at least half of the joints are as asked",
+                "what no known mistake explains",
                 test,
                 graded,
                 rubric,
             )]
         }
-        Outcome::Unexplained => {
+        Outcome::OtherPose if counts_by_vertices(graded, rubric) => {
             vec![why_by_vertices(
-                "what no known mistake explains",
+                "a pose in which at least half of the joints are as asked",
                 test,
                 graded,
                 rubric,

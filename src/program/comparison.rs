@@ -1,4 +1,5 @@
 use super::Host;
+use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
 use super::running::Program;
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
@@ -9,6 +10,7 @@ use crate::revision::Revision;
 use crate::scene::{Look, Skinning, ViewSettings};
 use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
 use egui::{Context, TextureHandle};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -25,6 +27,8 @@ pub(super) struct Comparison {
     look_before: Look,
     /// Look that it began with, and the backdrop of the reference.
     looks: (Look, Backdrop),
+    /// File of the reference.
+    path: PathBuf,
     name: String,
     reference: Textured,
     live: Option<Textured>,
@@ -107,10 +111,10 @@ impl Textured {
 }
 
 impl Comparison {
-    /// A comparison with the picture `reference` from a file called `name`, with the settings of
-    /// the comparison before it.
+    /// A comparison with the picture `reference` from the file `path`, with the settings of the
+    /// comparison before it.
     pub fn new(
-        name: String,
+        path: PathBuf,
         reference: Picture,
         mut settings: CompareSettings,
         look_before: Look,
@@ -122,7 +126,8 @@ impl Comparison {
         Self {
             look_before,
             looks: (Look::Course, Backdrop::default()),
-            name,
+            name: file_name(&path),
+            path,
             reference: Textured::new(reference),
             live: None,
             difference: None,
@@ -136,6 +141,11 @@ impl Comparison {
             report: CompareReport::default(),
             measuring: Measuring::default(),
         }
+    }
+
+    /// File that the reference was read from.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Look that the view goes back to when the comparison ends in `look`: the one before it, unless
@@ -348,10 +358,10 @@ impl Comparison {
 }
 
 impl Program {
-    /// Begins a comparison with the picture `reference` from a file called `name`: in the Studio look if that is what
+    /// Begins a comparison with the picture `reference` from the file `path`: in the Studio look if that is what
     /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's where the
     /// document is shown in its look, and otherwise the course's.
-    pub(super) fn begin_comparison(&mut self, name: String, reference: Picture) {
+    pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
         self.mesh_comparison = None;
@@ -363,7 +373,7 @@ impl Program {
         };
         self.session.look(View::SetLook(look));
         let settings = self.compare_settings();
-        let mut comparison = Comparison::new(name, reference, settings, before);
+        let mut comparison = Comparison::new(path, reference, settings, before);
         comparison.looks = (look, studio.unwrap_or_default());
         self.comparison = Some(comparison);
     }
@@ -395,8 +405,7 @@ mod tests {
                 rgba: vec![0; 4],
             };
             let settings = CompareSettings::default();
-            let mut comparison =
-                Comparison::new("a.png".to_owned(), picture, settings, Look::Course);
+            let mut comparison = Comparison::new("a.png".into(), picture, settings, Look::Course);
             comparison.choose_edges(hard);
             assert_eq!(comparison.settings.smooth_edges, smooth.is_some());
             comparison.choose_edges(smooth.unwrap_or(0));
@@ -428,7 +437,7 @@ mod tests {
             height: 4,
             rgba: vec![0; 4 * 5 * 4],
         };
-        let comparison = Comparison::new("a.png".to_owned(), picture, settings, Look::Course);
+        let comparison = Comparison::new("a.png".into(), picture, settings, Look::Course);
         let inside = [area(1, 0, 2, 1), area(3, 1, 2, 3), area(4, 3, 1, 1)];
         assert_eq!(comparison.settings().masks, inside);
     }

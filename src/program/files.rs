@@ -141,20 +141,13 @@ impl Program {
     /// Compares the view with the picture at `path` from now on, with what was chosen before.
     pub(super) fn compare_with(&mut self, path: &Path, files: &dyn Files) {
         match self.reference_picture(path, files) {
-            Ok((name, picture)) => {
-                self.begin_comparison(name, picture);
-                self.compared_path = Some(path.to_owned());
-            }
+            Ok(picture) => self.begin_comparison(path.to_owned(), picture),
             Err(error) => self.tell(Severity::Error, error.to_string()),
         }
     }
 
-    /// A picture to compare with, after the name of its file.
-    fn reference_picture(
-        &self,
-        path: &Path,
-        files: &dyn Files,
-    ) -> Result<(String, Picture), Diagnostic> {
+    /// A picture to compare with.
+    fn reference_picture(&self, path: &Path, files: &dyn Files) -> Result<Picture, Diagnostic> {
         let picture = image::decode(path, &files.read(path)?)?;
         let (width, height) = (picture.width, picture.height);
         let most = self.graphics.max_texture_side;
@@ -166,7 +159,7 @@ impl Program {
                 ),
             ));
         }
-        Ok((file_name(path), picture))
+        Ok(picture)
     }
 
     pub(super) fn save_pose(

@@ -11,6 +11,7 @@ mod autosave;
 mod awaited;
 mod chosen;
 mod clipboard;
+mod compare_mesh;
 mod compared_camera;
 mod comparison;
 mod document;

@@ -97,8 +97,6 @@ pub struct Program {
     pub(super) window_size: Option<(f32, f32)>,
     /// Document, its file and the one that it is compared with, of which the files are watched.
     pub(super) watched_of: Option<(Revision, Option<PathBuf>, Option<PathBuf>)>,
-    /// The file that something was compared with last.
-    pub(super) compared_path: Option<PathBuf>,
     /// Files that the host watches.
     pub(super) watched: BTreeSet<PathBuf>,
     /// Files that were written together with one that was chosen, with the CRC-32 of their bytes.
@@ -159,7 +157,6 @@ impl Program {
             is_viewer: false,
             window_size: None,
             watched_of: None,
-            compared_path: None,
             watched: BTreeSet::new(),
             exported: HashMap::new(),
             exporting: None,

@@ -1,6 +1,7 @@
 //! The files that shapes came from: found again, read again when another program has changed them,
 //! and saved together with the scene.
 
+use super::comparison::Comparison;
 use super::document::Next;
 use super::document_file::Writing;
 use super::exports::needed_error;
@@ -71,8 +72,9 @@ impl Program {
 
     /// The file that something is compared with, while it is.
     fn compared_file(&self) -> Option<&Path> {
-        let compares = self.comparison.is_some() || self.mesh_comparison.is_some();
-        self.compared_path.as_deref().filter(|_| compares)
+        let picture = self.comparison.as_ref().map(Comparison::path);
+        let mesh = self.mesh_comparison.as_ref();
+        picture.or_else(|| mesh.map(MeshComparison::path))
     }
 
     /// Reads the file that something is compared with again; whether there is one.

@@ -5,10 +5,9 @@ use super::upload_cache::UploadCache;
 use crate::geometry::Normals;
 use crate::gpu::{DepthTest, DisplayList, DrawState, Gl, Immediate, Mode, PointShape};
 use crate::revision::Revision;
-use crate::scene::Look;
 use crate::scene::{
     CurveDisplay, CurveShape, CurveVisibility, EvaluatedCurve, EvaluatedCurves, EvaluatedGeometry,
-    EvaluatedShape, Shape, ShapeKind, SurfaceVisibility,
+    EvaluatedShape, Look, Shape, ShapeKind, SurfaceVisibility,
 };
 use glam::Vec3;
 

@@ -182,20 +182,18 @@ fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
         None => geometry.mesh.bounds(),
     };
     let middle = bounds.center();
-    let down = |height: &dyn Fn(&Placement) -> f32| {
-        (height(&shape.start) - height(&shape.placement)).max(0.0)
+    let heights = |placement: &Placement| {
+        let world_from_model = placement.transform.world_from_model();
+        [
+            placement.transform.position.y,
+            world_from_model.transform_point3(middle).y,
+            bounds.transformed(world_from_model).min.y,
+        ]
     };
-    let position = down(&|placement| placement.transform.position.y);
-    let of_middle = down(&|placement| {
-        let world_from_model = placement.transform.world_from_model();
-        world_from_model.transform_point3(middle).y
-    });
-    let of_lower_end = down(&|placement| {
-        let world_from_model = placement.transform.world_from_model();
-        bounds.transformed(world_from_model).min.y
-    });
-    // The middle of nothing is nowhere.
-    position.min(of_middle).min(of_lower_end)
+    let (before, now) = (heights(&shape.start), heights(&shape.placement));
+    let down = (0..3).map(|of| (before[of] - now[of]).max(0.0));
+    // The middle of nothing is nowhere, and has not sunk either.
+    down.fold(f32::INFINITY, f32::min)
 }
 
 impl EvaluatedShape {
@@ -310,41 +308,36 @@ mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
     use crate::geometry::Mesh;
+    use crate::math::Euler;
     use crate::scene::NewShape;
 
     #[test]
     fn a_shape_has_sunk_if_it_was_moved_down_and_not_if_it_was_scaled_or_turned_about_itself() {
-        let tall = vec![Vec3::new(-0.2, 0.0, 0.0), Vec3::new(0.2, 2.0, 0.1)];
-        let mesh = SharedMesh::new(Mesh::new(tall, Vec::new()));
-        let bounds = mesh.bounds();
-        let geometry = EvaluatedGeometry::rigid(mesh, bounds, Revision::new());
-        let sunk_by = |y: f32, scale: f32, turn: f32| {
+        let within = |low: Vec3, high: Vec3| {
+            let mesh = SharedMesh::new(Mesh::new(vec![low, high], Vec::new()));
+            let bounds = mesh.bounds();
+            EvaluatedGeometry::rigid(mesh, bounds, Revision::new())
+        };
+        let sunk_by = |geometry: &EvaluatedGeometry, y: f32, scale: f32, turn: f32| {
             let mut scene = Scene::new();
             let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
             let shape = scene.shape_mut(id).unwrap();
             let transform = &mut shape.placement.transform;
             transform.position.y = y;
             transform.scale = Vec3::splat(scale);
-            transform.rotation = crate::math::Euler::from_degrees(Vec3::X * turn);
-            sunk(shape, &geometry)
+            transform.rotation = Euler::from_degrees(Vec3::X * turn);
+            sunk(shape, geometry)
         };
-        assert_eq!(sunk_by(-0.5, 1.0, 0.0), 0.5);
-        assert_eq!(sunk_by(0.5, 1.0, 0.0), 0.0);
+        let tall = within(Vec3::new(-0.2, 0.0, 0.0), Vec3::new(0.2, 2.0, 0.1));
+        assert_eq!(sunk_by(&tall, -0.5, 1.0, 0.0), 0.5);
+        assert_eq!(sunk_by(&tall, 0.5, 1.0, 0.0), 0.0);
         // Twice as large about the middle, which stays at 1.
-        assert_eq!(sunk_by(-1.0, 2.0, 0.0), 0.0);
-        assert_eq!(sunk_by(-1.5, 2.0, 0.0), 0.5);
-        assert_eq!(sunk_by(0.0, 1.0, 90.0), 0.0);
+        assert_eq!(sunk_by(&tall, -1.0, 2.0, 0.0), 0.0);
+        assert_eq!(sunk_by(&tall, -1.5, 2.0, 0.0), 0.5);
+        assert_eq!(sunk_by(&tall, 0.0, 1.0, 90.0), 0.0);
         // About its lower end, where the origin is in its middle.
-        let round = vec![Vec3::new(-0.2, -1.0, 0.0), Vec3::new(0.2, 1.0, 0.1)];
-        let mesh = SharedMesh::new(Mesh::new(round, Vec::new()));
-        let bounds = mesh.bounds();
-        let geometry = EvaluatedGeometry::rigid(mesh, bounds, Revision::new());
-        let mut scene = Scene::new();
-        let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
-        let shape = scene.shape_mut(id).unwrap();
-        shape.placement.transform.scale = Vec3::splat(0.5);
-        shape.placement.transform.position.y = -0.5;
-        assert_eq!(sunk(shape, &geometry), 0.0);
+        let round = within(Vec3::new(-0.2, -1.0, 0.0), Vec3::new(0.2, 1.0, 0.1));
+        assert_eq!(sunk_by(&round, -0.5, 0.5, 0.0), 0.0);
     }
 
     #[test]

@@ -95,6 +95,7 @@ fn insert_at_pointer(root: &Ui, items: &mut Items) {
         let moves = ui.input(|input| input.pointer.delta() != Vec2::ZERO);
         items.insertable(ui, opens);
         if moves && !opens && ui.rect_contains_pointer(ui.min_rect()) {
+            // By its name only from text, but it takes the focus from any item.
             ui.memory_mut(|memory| memory.stop_text_input());
         }
     });

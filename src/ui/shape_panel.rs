@@ -113,16 +113,17 @@ fn content(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Ve
 fn heading(ui: &mut Ui, state: &mut UiState) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
-        if fold_button(ui, "⏵") {
+        let button = ui.add(Button::new("⏵").frame_when_inactive(false));
+        let button = named(button, commands::label(Command::TogglePanel));
+        let tip = commands::tooltip(ui.ctx(), Command::TogglePanel);
+        if button.on_hover_text(tip).clicked() {
             state.fold_panel(true);
         }
-        ui.with_layout(Layout::left_to_right(Align::Center), heading_text);
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let title = RichText::new("Shape Selector and Properties").heading();
+            ui.add(Label::new(title).truncate());
+        });
     });
-}
-
-fn heading_text(ui: &mut Ui) {
-    let title = RichText::new("Shape Selector and Properties").heading();
-    ui.add(Label::new(title).truncate());
 }
 
 /// Width in points of the strip that is left of the panel at the right, and height of the sheet's handle.
@@ -169,11 +170,4 @@ fn handle(ui: &mut Ui, place: Rect, sense: Sense, state: &mut UiState) -> Respon
 fn handle_style(ui: &Ui, button: &Response) -> (FontId, Color32) {
     let color = ui.style().interact(button).text_color();
     (TextStyle::Body.resolve(ui.style()), color)
-}
-
-fn fold_button(ui: &mut Ui, sign: &str) -> bool {
-    let button = ui.add(Button::new(sign).frame_when_inactive(false));
-    let button = named(button, commands::label(Command::TogglePanel));
-    let tip = commands::tooltip(ui.ctx(), Command::TogglePanel);
-    button.on_hover_text(tip).clicked()
 }

@@ -179,6 +179,22 @@ fn a_page_cannot_be_quit_and_takes_no_pictures_of_its_panels() {
 }
 
 #[test]
+fn a_page_alone_can_be_had_read_aloud_until_preferences_are_reset() {
+    let mut editor = Editor::new();
+    let aloud = "Read aloud what is used or has the focus";
+    let reads = |editor: &Editor| editor.harness.ctx.options(|options| options.screen_reader);
+    editor.choose(&["Edit", "Preferences…"]);
+    assert!(!editor.has(aloud), "elsewhere the system reads the widgets");
+    editor.harness.state_mut().is_page = true;
+    editor.settle();
+    assert!(!reads(&editor));
+    editor.click(aloud);
+    assert!(reads(&editor));
+    editor.click("Reset to defaults");
+    assert!(!reads(&editor));
+}
+
+#[test]
 fn of_the_commands_that_are_searched_for_those_that_can_be_run_come_first() {
     let mut editor = Editor::with_figure();
     editor.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);

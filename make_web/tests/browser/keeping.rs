@@ -1,6 +1,6 @@
 //! What the browser keeps from one visit to the next.
 
-use super::browser::{Browser, CTRL, VIEW};
+use super::browser::{Browser, CTRL, ESC, VIEW};
 use super::files::asset;
 use super::picture::difference;
 use image::RgbImage;
@@ -51,5 +51,34 @@ fn a_file_that_was_opened_is_among_the_recent_ones_after_a_reload() {
     browser.click(290, 215);
     browser.wait("the robot is open", || browser.title().starts_with("robot"));
     assert!(difference(&robot, &browser.picture(), VIEW) < 0.01);
+    browser.finish();
+}
+
+#[test]
+fn a_page_that_is_to_be_read_aloud_speaks_and_still_does_after_a_reload() {
+    let browser = Browser::open();
+    let listen = || {
+        browser.script(
+            "window.spoken = [];
+             speechSynthesis.speak = (utterance) => spoken.push(utterance.text)",
+        );
+    };
+    let has_spoken = || browser.script("return spoken.join(' ').includes('button')") == true;
+    let use_button = || browser.click(35, 45);
+    listen();
+    use_button();
+    browser.picture();
+    assert!(!has_spoken(), "nobody has asked for it");
+    browser.command("Preferences");
+    browser.picture();
+    // The checkbox of the part on speech.
+    browser.click(421, 586);
+    browser.press(&[ESC]);
+    use_button();
+    browser.wait("a button is read aloud", has_spoken);
+    browser.reload();
+    listen();
+    use_button();
+    browser.wait("a button is read aloud", has_spoken);
     browser.finish();
 }

@@ -13,16 +13,13 @@ pub(super) fn missing(folder: &Path, name: &str, of_others: &[String]) -> String
     let files = files_within(folder);
     let is_alike = |found: &&PathBuf| name_of(found) == name.to_lowercase();
     if let Some(found) = files.iter().find(is_alike) {
-        let beside = found.strip_prefix(folder).unwrap_or(found);
-        let why = if beside.components().count() == 1 {
+        let why = if found.parent() == Some(folder) {
             "the names differ in capitals"
         } else {
             "it belongs into the folder of the submission itself"
         };
-        return format!(
-            "there is no {name}, but {} is there: {why}",
-            beside.display()
-        );
+        let found = within(folder, found);
+        return format!("there is no {name}, but {found} is there: {why}");
     }
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let is_like = |found: &&PathBuf| {
@@ -30,19 +27,22 @@ pub(super) fn missing(folder: &Path, name: &str, of_others: &[String]) -> String
         let is_of_other = of_others.iter().any(|other| found == other.to_lowercase());
         found.contains(&stem.to_lowercase()) && !is_of_other
     };
-    match files.iter().find(is_like) {
-        Some(found) => {
-            let beside = found.strip_prefix(folder).unwrap_or(found).display();
-            format!("there is no {name}, but {beside} is there, whose name is like it")
-        }
-        None => match files.iter().find(|found| is_archive(found)) {
-            Some(found) => {
-                let beside = found.strip_prefix(folder).unwrap_or(found).display();
-                format!("there is no {name}, but {beside} is there: it has to be unpacked")
-            }
-            None => format!("there is no {name}"),
-        },
+    if let Some(found) = files.iter().find(is_like) {
+        let found = within(folder, found);
+        return format!("there is no {name}, but {found} is there, whose name is like it");
     }
+    match files.iter().find(|found| is_archive(found)) {
+        Some(found) => {
+            let found = within(folder, found);
+            format!("there is no {name}, but {found} is there: it has to be unpacked")
+        }
+        None => format!("there is no {name}"),
+    }
+}
+
+/// A file in `folder` as it is named from there.
+fn within(folder: &Path, file: &Path) -> impl std::fmt::Display {
+    file.strip_prefix(folder).unwrap_or(file).display()
 }
 
 /// Whether a file is called like an archive.
@@ -72,25 +72,20 @@ pub(super) fn unwritten(name: &str, folder: &Path, before: &Times, output: &Path
     let now = times(folder).into_iter();
     let here = now.filter(|(file, written)| before.get(file) != Some(written));
     let here = here.map(|(file, _)| file).find(|file| is_of_kind(file));
-    let there = || {
-        files_within(output)
-            .into_iter()
-            .find(|file| is_of_kind(file))
-    };
     let nothing = "the command ended without writing its file";
-    let beside = |file: &Path, folder: &Path| {
-        let name = file.strip_prefix(folder).unwrap_or(file);
-        name.display().to_string()
-    };
-    match here {
-        Some(file) => format!(
-            "{nothing}: it wrote {} in the submission's folder instead of what {{output}} names",
-            beside(&file, folder)
-        ),
-        None => there().map_or(nothing.to_owned(), |file| {
-            let found = beside(&file, output);
+    if let Some(file) = here {
+        let found = within(folder, &file);
+        return format!(
+            "{nothing}: it wrote {found} in the submission's folder instead of what {{output}} names"
+        );
+    }
+    let mut there = files_within(output).into_iter();
+    match there.find(|file| is_of_kind(file)) {
+        Some(file) => {
+            let found = within(output, &file);
             format!("{nothing}: it wrote {found} in the folder of {{output}}, not {name}")
-        }),
+        }
+        None => nothing.to_owned(),
     }
 }
 

@@ -108,7 +108,8 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         _ => {
             check_joined(&args.output, &args.merge)?;
             let (run, graded) = merge::joined(&args.merge, &Store::new(&args.output))?;
-            report(&args.output, &run, graded).map(|_| ())
+            report(&args.output, &run, graded)?;
+            Ok(())
         }
     }
 }
