@@ -221,6 +221,22 @@ fn a_pinned_foot_that_gets_out_of_reach_is_said_to() {
 }
 
 #[test]
+fn a_neck_led_away_from_its_root_says_that_pinned_feet_are_lifted_too() {
+    const NECK: usize = 3;
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_FOOT);
+    editor.pin(RIGHT_FOOT);
+    let from = editor.near(NECK, ROOT);
+    editor.press(from);
+    editor.point(from + vec2(180.0, 60.0));
+    let said = editor.painted_over_view();
+    let both = |text: &String| {
+        text.starts_with("out of reach by") && text.ends_with("; 2 pins are out of reach")
+    };
+    assert!(said.iter().any(both), "{said:?}");
+}
+
+#[test]
 fn a_hand_too_small_for_its_fingers_is_taken_by_the_wrist() {
     const WRIST: usize = 2;
     const KNUCKLE: usize = 5;

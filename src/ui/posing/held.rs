@@ -232,13 +232,17 @@ impl Held {
 }
 
 fn ik_readout(drag: &IkDrag) -> String {
-    if drag.off() > IkDrag::OUT_OF_REACH {
-        return format!("out of reach by {:.2}", drag.off());
-    }
-    match drag.lost_pins().len() {
-        0 => {}
-        1 => return "a pin is out of reach".to_owned(),
-        lost => return format!("{lost} pins are out of reach"),
+    let missed = drag.off() > IkDrag::OUT_OF_REACH;
+    let missed = missed.then(|| format!("out of reach by {:.2}", drag.off()));
+    let lost = match drag.lost_pins().len() {
+        0 => None,
+        1 => Some("a pin is out of reach".to_owned()),
+        lost => Some(format!("{lost} pins are out of reach")),
+    };
+    match (missed, lost) {
+        (Some(missed), Some(lost)) => return format!("{missed}; {lost}"),
+        (Some(said), None) | (None, Some(said)) => return said,
+        (None, None) => {}
     }
     match drag.chain().map(|chain| chain.joints().len()) {
         Some(1) => "1 joint follows".to_owned(),
