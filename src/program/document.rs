@@ -292,7 +292,9 @@ impl Program {
             return;
         }
         let recent = &mut self.preferences.recent;
-        recent.retain(|known| known != path);
+        // A folder named as `a/../b` is `b`.
+        let normal = io::normal(path);
+        recent.retain(|known| io::normal(known) != normal);
         recent.insert(0, path.to_owned());
         recent.truncate(MOST_RECENT);
     }

@@ -1,5 +1,6 @@
 use super::running::Program;
 use super::{FileKind, Host, Purpose, StorageKey};
+use crate::io;
 use crate::scene::{Look, Skinning};
 use crate::ui::Navigation;
 use egui::ThemePreference;
@@ -134,9 +135,9 @@ impl Preferences {
         let all = self.last_folder.as_deref().into_iter();
         let mut folders: Vec<PathBuf> = Vec::new();
         for folder in newest.chain(all).chain(documents).chain(chosen) {
-            let is_known = folders.iter().any(|known| known == folder);
-            if !is_known && !folder.as_os_str().is_empty() {
-                folders.push(folder.to_owned());
+            let folder = io::normal(folder);
+            if !folders.contains(&folder) && !folder.as_os_str().is_empty() {
+                folders.push(folder);
             }
         }
         folders.truncate(RECENT_FOLDERS);

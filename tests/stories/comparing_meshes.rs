@@ -773,7 +773,7 @@ fn a_mesh_that_its_program_writes_anew_is_compared_anew() {
     write(&mut story, b"v 1 2".to_vec());
     text(&story, "mine.obj:1:6: expected");
     let says_right = |story: &Story| texts(story).iter().any(|text| text.starts_with("Right: "));
-    assert!(!says_right(&story));
+    assert!(!says_right(&story) && !story.has("Every vertex is in its place."));
     story.host.files.remove(Path::new("mine.obj"));
     let changed = HostEvent::Changed("mine.obj".into());
     story.host.events.push_back(changed);

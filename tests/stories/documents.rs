@@ -245,6 +245,19 @@ fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
         serde_json::json!(["work/a.scene", "work/b.scene"])
     );
 
+    // Named in another way it is the same file.
+    story.click("File");
+    story.click("Save As…");
+    story.choose("other/../work/a.scene");
+    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
+    assert_eq!(
+        kept["recent"],
+        serde_json::json!(["other/../work/a.scene", "work/b.scene"])
+    );
+    story.click("File");
+    story.click("Save As…");
+    story.choose("work/a.scene");
+
     // One that is gone is said, and leaves the list.
     story.host.files.remove(Path::new("work/b.scene"));
     story.click("File");

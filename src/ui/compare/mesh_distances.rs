@@ -44,6 +44,10 @@ impl Parts<'_> {
             return;
         };
         if measure.regions.is_empty() {
+            if self.compare.problem.is_some() {
+                // Not of the file as it is now.
+                return;
+            }
             return say(ui, "Every vertex is in its place.", palette.text);
         }
         let title = "Vertices off, by the joint that moves them most (distances in % of the size):";
