@@ -3,21 +3,22 @@
 use super::graded::{Graded, Outcome};
 use crate::diagnose::Mistake;
 use crate::io::{
-    MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, TestData,
+    MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
 };
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// The section in which posed meshes are made: a file that is nearly right does not show in which section the mistake is.
-pub(super) const OF_POSED_MESHES: &str = "4.2";
+const OF_POSED_MESHES: &str = "4.2";
+/// The section in which angles come to joints.
+const OF_ANGLES: &str = "3.4";
 
 /// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
 /// pose of its test shows nothing of what the test asks for, whatever the section.
 pub(super) const POSE_NOT_APPLIED: &str = "pose-not-applied";
 /// What it leaves unless the rubric says otherwise.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
-/// Share of its joints from which on another pose shows what the test asks for: a slip in one angle is no worse than what
-/// nothing explains.
+/// Share of its joints from which on another pose shows all that the test asks for but some angles.
 const MOSTLY_AS_ASKED: f64 = 0.5;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
 /// mistake in skinning.
@@ -42,10 +43,7 @@ pub(super) fn points(
             left_by(&graded.nearly, test, rubric)
         }
         Outcome::Unexplained => of_all(test, by_vertices(graded, rubric)),
-        Outcome::OtherPose if counts_by_vertices(graded, rubric) => {
-            of_all(test, by_vertices(graded, rubric))
-        }
-        Outcome::OtherPose => left_by(&[OTHER_POSE.to_owned()], test, rubric),
+        Outcome::OtherPose => left_by(&[of_other_pose(graded).to_owned()], test, rubric),
         Outcome::Explained => counted(test, graded, rubric)
             .map_or_else(|| of_all(test, 0.0), |ids| left_by(ids, test, rubric)),
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
@@ -111,12 +109,22 @@ fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
     rubric.unexplained.0 * graded.agrees
 }
 
-/// Whether another pose, which is mostly the one that was asked for, counts as what is unexplained does. A rubric that
-/// has a share for it means every other pose.
-pub(super) fn counts_by_vertices(graded: &Graded, rubric: &RubricData) -> bool {
-    !rubric.mistakes.contains_key(OTHER_POSE)
-        && graded.as_asked >= MOSTLY_AS_ASKED
-        && by_vertices(graded, rubric) > share_left(OTHER_POSE, rubric)
+/// What the exact result of another pose counts as.
+pub(super) fn of_other_pose(graded: &Graded) -> &'static str {
+    if graded.as_asked >= MOSTLY_AS_ASKED {
+        RIGHT_BUT_FOR_JOINTS
+    } else {
+        OTHER_POSE
+    }
+}
+
+/// The section that a mistake, or a file that is nearly right, is of.
+pub(super) fn own_section(id: &str) -> &'static str {
+    match (Mistake::find(id), id) {
+        (Some(mistake), _) => mistake.section,
+        (None, RIGHT_BUT_FOR_JOINTS) => OF_ANGLES,
+        (None, _) => OF_POSED_MESHES,
+    }
 }
 
 /// Whether something unexplained that is nearly right has more points as what is wrong with it than by its vertices.
@@ -148,10 +156,7 @@ fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<Str
     for id in ids {
         let is_of_all = id == POSE_NOT_APPLIED || id == OTHER_POSE;
         let share = share_left(id, rubric);
-        let own = match Mistake::find(id) {
-            Some(mistake) => section_of(mistake.section, test),
-            None => section_of(OF_POSED_MESHES, test),
-        };
+        let own = section_of(own_section(id), test);
         for (section, points) in &mut left {
             if is_of_all || own == Some(section) {
                 *points *= share;
@@ -334,7 +339,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_slip_in_one_joint_of_the_pose_costs_no_more_than_what_nothing_explains() {
+    fn a_slip_in_one_joint_of_the_pose_costs_as_much_as_a_mistake_in_its_angles() {
         let mut rubric = RubricData::default();
         let of_pose = |as_asked| Graded {
             as_asked,
@@ -342,19 +347,17 @@ pub(super) mod tests {
             ..Graded::without(Outcome::OtherPose, "")
         };
         let slip = of_pose(0.5);
-        let unexplained = Graded {
-            outcome: Outcome::Unexplained,
-            ..slip.clone()
-        };
-        let points = given(TWO, &unexplained, &rubric);
-        assert_eq!(given(TWO, &slip, &rubric), points);
-        let told = "a pose in which at least half of the joints are as asked leaves 50 %, times the 80 % of the \
-                    vertices that are right";
+        assert_eq!(given(TWO, &slip, &rubric), [3.0, 10.0]);
+        let told = "right-but-for-joints leaves 50 % of 3.4";
         assert_eq!(why(&test(TWO), &slip, &rubric), [told]);
         assert_eq!(given(TWO, &of_pose(0.4), &rubric), [0.0, 0.0]);
-        let name = OTHER_POSE.to_owned().try_into().unwrap();
-        rubric.mistakes.insert(name, Share(0.25));
-        assert_eq!(given(TWO, &slip, &rubric), [1.5, 2.5]);
+        // The two have shares of their own.
+        for (id, share) in [(OTHER_POSE, 0.25), (RIGHT_BUT_FOR_JOINTS, 0.75)] {
+            let name = id.to_owned().try_into().unwrap();
+            rubric.mistakes.insert(name, Share(share));
+        }
+        assert_eq!(given(TWO, &slip, &rubric), [4.5, 10.0]);
+        assert_eq!(given(TWO, &of_pose(0.4), &rubric), [1.5, 2.5]);
     }
 
     #[test]

@@ -2,10 +2,9 @@
 
 use super::graded::{Graded, Outcome};
 use super::rubric::{
-    OF_POSED_MESHES, POSE_NOT_APPLIED, counted, counts_as_mistakes, counts_by_vertices, number,
-    section_of, share_left,
+    POSE_NOT_APPLIED, counted, counts_as_mistakes, number, of_other_pose, own_section, section_of,
+    share_left,
 };
-use crate::diagnose::Mistake;
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
 /// Why a test has not all of its points, in sentences.
@@ -18,27 +17,17 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
             of_mistakes(&graded.nearly)
         }
         Outcome::Unexplained => {
-            vec![why_by_vertices(
-                "what no known mistake explains",
-                test,
-                graded,
-                rubric,
-            )]
+            vec![why_by_vertices(test, graded, rubric)]
         }
-        Outcome::OtherPose if counts_by_vertices(graded, rubric) => {
-            vec![why_by_vertices(
-                "a pose in which at least half of the joints are as asked",
-                test,
-                graded,
-                rubric,
-            )]
-        }
-        Outcome::OtherPose => {
-            let share = percent(share_left(OTHER_POSE, rubric));
-            vec![format!(
-                "a result in another pose than that of the test leaves {share} of every section"
-            )]
-        }
+        Outcome::OtherPose => match of_other_pose(graded) {
+            OTHER_POSE => {
+                let share = percent(share_left(OTHER_POSE, rubric));
+                vec![format!(
+                    "a result in another pose than that of the test leaves {share} of every section"
+                )]
+            }
+            nearly => vec![why_mistake(nearly, test, rubric)],
+        },
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
             vec!["there is nothing to give points for".to_owned()]
         }
@@ -46,13 +35,13 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
 }
 
 /// What is left of what counts by its share that is right.
-fn why_by_vertices(of: &str, test: &TestData, graded: &Graded, rubric: &RubricData) -> String {
+fn why_by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> String {
     let what = match test.kind {
         TestKind::Mesh => "vertices",
         TestKind::Picture { .. } => "silhouette",
     };
     let (share, right) = (percent(rubric.unexplained.0), percent(graded.agrees));
-    format!("{of} leaves {share}, times the {right} of the {what} that are right")
+    format!("what no known mistake explains leaves {share}, times the {right} of the {what} that are right")
 }
 
 /// What a mistake, or a file that is nearly right, leaves of which section.
@@ -61,7 +50,7 @@ fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
     if id == POSE_NOT_APPLIED {
         return format!("{id} leaves {share} of every section");
     }
-    let own = Mistake::find(id).map_or(OF_POSED_MESHES, |mistake| mistake.section);
+    let own = own_section(id);
     let section = section_of(own, test).unwrap_or_default();
     let own = number(own);
     let told = format!("{id} leaves {share} of {section}");

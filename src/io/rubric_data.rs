@@ -26,6 +26,8 @@ pub const RIGHT_BUT_FOR_FEW: &str = "right-but-for-few";
 pub const RIGHT_BUT_FOR_DIGITS: &str = "right-but-for-digits";
 /// Name of the exact mesh moved, turned or scaled as a whole.
 pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
+/// Name of the exact result of a pose in which few joints are not as asked.
+pub const RIGHT_BUT_FOR_JOINTS: &str = "right-but-for-joints";
 /// Name of the exact result of another pose.
 pub const OTHER_POSE: &str = "other-pose";
 
@@ -88,6 +90,7 @@ impl TryFrom<String> for MistakeName {
         let others = [
             RIGHT_BUT_FOR_FEW,
             RIGHT_BUT_FOR_DIGITS,
+            RIGHT_BUT_FOR_JOINTS,
             MOVED_AS_A_WHOLE,
             OTHER_POSE,
         ];
