@@ -5,7 +5,7 @@ use super::CliError;
 use super::output::eprint_line;
 use crate::disk::files;
 use crate::editor::{Edit, Session};
-use crate::io::{Files, Loaded, PoseFile, builtin};
+use crate::io::{Loaded, PoseFile};
 use crate::scene::{
     BoneStyle, Camera, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay,
     ShapeId, ShapeKind, Skinning, SkinningMethod, SurfaceVisibility, ViewDirection, ViewSettings,
@@ -33,8 +33,7 @@ pub fn load(paths: &[PathBuf], pose: Option<&Path>) -> Result<Session, CliError>
     });
     let mut session = Session::with_shapes(loaded.shapes, view);
     if let Some(path) = pose {
-        let path = builtin::resolve(path)?;
-        let pose = PoseFile::read(&path, &files.read(&path)?)?;
+        let pose = PoseFile::open(&files, path)?;
         let poses = pose.poses_for(session.scene())?.into_iter();
         let edits = poses.map(|(id, pose)| Edit::SetPose(id, pose)).collect();
         edit(&mut session, edits)?;

@@ -52,6 +52,9 @@ struct FileReport {
     shapes: Vec<ShapeReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     posed_joints: Option<usize>,
+    /// Number of joints in each pose of a file with several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    poses: Vec<PoseReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     collada: Option<ColladaReport>,
     warnings: Vec<DiagnosticJson>,
@@ -70,6 +73,13 @@ struct ShapeReport {
     curves: Option<CurvesReport>,
     materials: Vec<String>,
     bounds: Option<[[f32; 3]; 2]>,
+}
+
+/// A pose of a file with several.
+#[derive(Debug, Serialize)]
+struct PoseReport {
+    name: String,
+    joints: usize,
 }
 
 #[derive(Debug, Serialize)]
@@ -115,8 +125,8 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let misfits: Vec<Option<Diagnostic>> = checked
         .iter()
         .map(|file| {
-            let pose = file.as_ref().ok()?.pose.as_ref().filter(|_| are_known)?;
-            pose.poses_of(&skeletons).err()
+            let mut poses = file.as_ref().ok()?.poses.iter().filter(|_| are_known);
+            poses.find_map(|pose| pose.poses_of(&skeletons).err())
         })
         .collect();
     for ((path, checked), misfit) in args.files.iter().zip(checked).zip(misfits) {
@@ -154,6 +164,7 @@ impl FileReport {
             error: None,
             shapes: Vec::new(),
             posed_joints: None,
+            poses: Vec::new(),
             collada: None,
             warnings: Vec::new(),
         }
@@ -165,7 +176,7 @@ struct Checked {
     report: FileReport,
     /// Skeletons of the characters in it.
     skeletons: Vec<SkeletalModel>,
-    pose: Option<PoseFile>,
+    poses: Vec<PoseFile>,
 }
 
 /// Checks a file, and whether it and what it names are called as they are looked for.
@@ -195,23 +206,7 @@ fn check_content(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> 
             .is_some_and(|found| found.eq_ignore_ascii_case(extension))
     };
     if is("json") {
-        let bytes = files.read(&file)?;
-        let pose = PoseFile::read(&file, &bytes);
-        let pose = pose.map_err(|error| match TestsFile::read(&file, &bytes) {
-            Ok(_) => Diagnostic::new(&file, "expected a pose, found tests for editor grade"),
-            Err(_) => error,
-        })?;
-        let data = pose.data();
-        let keys = data.joints.keys().chain(data.roots.keys());
-        let joints: BTreeSet<&str> = keys.map(|joint| joint.as_str()).collect();
-        return Ok(Checked {
-            report: FileReport {
-                posed_joints: Some(joints.len()),
-                ..FileReport::new(path)
-            },
-            skeletons: Vec::new(),
-            pose: Some(pose),
-        });
+        return check_poses(path, &file, &files.read(&file)?);
     }
     let mut loaded = Loaded::default();
     let mut collada = None;
@@ -250,8 +245,45 @@ fn check_content(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> 
             ..FileReport::new(path)
         },
         skeletons: skeletons.collect(),
-        pose: None,
+        poses: Vec::new(),
     })
+}
+
+/// Checks the content of `file`, called `path`, which has one pose or several.
+fn check_poses(path: &Path, file: &Path, bytes: &[u8]) -> Result<Checked, Diagnostic> {
+    let mut report = FileReport::new(path);
+    let mut poses = Vec::new();
+    match PoseFile::read_several(file, bytes)? {
+        Some(several) => {
+            for (name, pose) in several {
+                let joints = posed_joints(&pose);
+                report.poses.push(PoseReport { name, joints });
+                poses.push(pose);
+            }
+        }
+        None => {
+            let pose = PoseFile::read(file, bytes);
+            let pose = pose.map_err(|error| match TestsFile::read(file, bytes) {
+                Ok(_) => Diagnostic::new(file, "expected a pose, found tests for editor grade"),
+                Err(_) => error,
+            })?;
+            report.posed_joints = Some(posed_joints(&pose));
+            poses.push(pose);
+        }
+    }
+    Ok(Checked {
+        report,
+        skeletons: Vec::new(),
+        poses,
+    })
+}
+
+fn posed_joints(pose: &PoseFile) -> usize {
+    let data = pose.data();
+    let keys = data.joints.keys().chain(data.roots.keys());
+    keys.map(|joint| joint.as_str())
+        .collect::<BTreeSet<_>>()
+        .len()
 }
 
 fn shape_report(shape: &Shape, evaluated: &EvaluatedShape) -> ShapeReport {
@@ -305,9 +337,15 @@ fn in_words(file: &FileReport) -> String {
     let mut line = |name: &str, value: String| {
         let _ = writeln!(out, "  {name:<16} {}", visible(&value));
     };
+    let of_joints = |joints: usize| match joints {
+        1 => "of 1 joint".to_owned(),
+        joints => format!("of {joints} joints"),
+    };
     if let Some(joints) = file.posed_joints {
-        let noun = if joints == 1 { "joint" } else { "joints" };
-        line("pose", format!("of {joints} {noun}"));
+        line("pose", of_joints(joints));
+    }
+    for PoseReport { name, joints } in &file.poses {
+        line("pose", format!("{name}, {}", of_joints(*joints)));
     }
     for shape in &file.shapes {
         line(&shape.kind.to_lowercase(), shape.name.clone());

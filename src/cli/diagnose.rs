@@ -10,7 +10,7 @@ use crate::diagnose::{
 };
 use crate::disk::files;
 use crate::io::{
-    Diagnostic, Files, Imported, PoseFile, builtin, import_character, read_character_obj,
+    Diagnostic, Files, Imported, PoseFile, import_character, read_character_obj,
 };
 use crate::scene::ShapeKind;
 use serde::Serialize;
@@ -45,7 +45,8 @@ pub struct Args {
     /// The character at rest: .obj with .skel and .attach beside it, .skel, .dae, or builtin:NAME
     #[arg(long, value_name = "MODEL")]
     character: PathBuf,
-    /// The pose: builtin:NAME, or a file such as {"joints": {"Left elbow": [0, 0, 50]}}
+    /// The pose: builtin:NAME, a file such as {"joints": {"Left elbow": [0, 0, 50]}}, or POSES.json#NAME of a file
+    /// with several
     #[arg(long, value_name = "POSE.json")]
     pose: PathBuf,
     #[command(flatten)]
@@ -167,8 +168,7 @@ fn of_picture(args: &Args) -> Result<PictureDiagnosis, Diagnostic> {
 }
 
 fn pose(args: &Args, files: &dyn Files, character: &Character) -> Result<Pose, Diagnostic> {
-    let path = builtin::resolve(&args.pose)?;
-    PoseFile::read(&path, &files.read(&path)?)?.pose_of(character.skeleton())
+    PoseFile::open(files, &args.pose)?.pose_of(character.skeleton())
 }
 
 /// The characters in a file, of which there is at least one. Warnings are printed.

@@ -33,7 +33,8 @@ pub struct Args {
     /// The folder must be there
     #[arg(short, long, value_name = "OUT.obj|OUT.skel")]
     output: PathBuf,
-    /// Pose the characters first: builtin:NAME, or a file such as {"joints": {"Left elbow": [0, 0, 50]}}
+    /// Pose the characters first: builtin:NAME, a file such as {"joints": {"Left elbow": [0, 0, 50]}}, or
+    /// POSES.json#NAME of a file with several
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
     /// Influences per vertex: all of the file, or the four largest

@@ -50,7 +50,7 @@ pub struct Args {
     /// Move the camera so that everything is in the picture, keeping its direction.
     #[arg(long)]
     fit: bool,
-    /// Pose every character by this POSE.json, or builtin:NAME.
+    /// Pose every character by this POSE.json, builtin:NAME, or POSES.json#NAME of a file with several.
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
     #[command(flatten)]

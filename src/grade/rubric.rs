@@ -3,7 +3,8 @@
 use super::graded::{Graded, Outcome};
 use crate::diagnose::Mistake;
 use crate::io::{
-    MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
+    MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
+    RubricData, TestData,
 };
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

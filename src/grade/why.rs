@@ -41,7 +41,9 @@ fn why_by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> Str
         TestKind::Picture { .. } => "silhouette",
     };
     let (share, right) = (percent(rubric.unexplained.0), percent(graded.agrees));
-    format!("what no known mistake explains leaves {share}, times the {right} of the {what} that are right")
+    format!(
+        "what no known mistake explains leaves {share}, times the {right} of the {what} that are right"
+    )
 }
 
 /// What a mistake, or a file that is nearly right, leaves of which section.

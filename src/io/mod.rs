@@ -65,12 +65,13 @@ pub use import_shape::read_shape_obj;
 pub use loaded::Loaded;
 pub use missed_files::missed_files;
 pub use obj::read_character_obj;
+pub use pose_collection::pose_of_several;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
 pub use read_job::{ReadFiles, ReadJob, Wanted};
 pub use rubric_data::{
-    MOVED_AS_A_WHOLE, OTHER_POSE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData,
-    SectionData, Share,
+    MOVED_AS_A_WHOLE, OTHER_POSE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW,
+    RIGHT_BUT_FOR_JOINTS, RubricData, SectionData, Share,
 };
 pub use scanner::in_utf8;
 pub use scene::{

@@ -19,13 +19,14 @@ impl PoseFile {
     /// "roots": {"Root": [0, 0.2, 0]}}`.
     ///
     /// # Errors
-    /// If it is no JSON, or not of this form, or has a name or an index twice, or several poses.
+    /// If it is no JSON, or not of this form, or has a name or an index twice, or several poses; one that is
+    /// alone among `"poses"` is read.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
         let json = Json::parse(path, bytes)?;
         match json.read() {
             Ok(data) => Ok(Self::of(&json, path, data)),
             Err(error) => match Self::read_several(path, bytes) {
-                Ok(Some(several)) => Err(only_one(path, &several)),
+                Ok(Some(several)) => Self::only(path, several),
                 _ => Err(error),
             },
         }
@@ -247,17 +248,6 @@ impl PoseData {
             }
         }
     }
-}
-
-/// The error for a file with several poses where one is needed.
-fn only_one(path: &Path, several: &[(String, PoseFile)]) -> Diagnostic {
-    let names: Vec<&str> = several.iter().map(|(name, _)| &**name).collect();
-    let message = format!(
-        "expected one pose, found {} ({}): Load Pose in the window keeps them all with a character",
-        names.len(),
-        scanner::shown(&names.join(", "))
-    );
-    Diagnostic::new(path, message)
 }
 
 #[cfg(test)]

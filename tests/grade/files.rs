@@ -298,6 +298,35 @@ fn pictures_are_graded_by_their_silhouette_whatever_their_scale() {
 }
 
 #[test]
+fn a_test_may_have_one_pose_of_a_file_with_several() {
+    let (class, right) = class();
+    class.write("class/ada/adult-1.obj", right);
+    let mut tests = class.tests_file();
+    let named = tests["tests"][0]["pose"].as_str().unwrap().to_owned();
+    let pose: Value = serde_json::from_slice(&class.read(&named)).unwrap();
+    let joints = pose["joints"].as_object().unwrap().iter();
+    let turned = joints.map(|(joint, degrees)| (joint.clone(), json!({"xyz_deg": degrees})));
+    let turned: serde_json::Map<String, Value> = turned.collect();
+    let several = json!({"poses": {"rest": {}, "mine": turned}});
+    class.write("poses.json", several.to_string());
+    tests["tests"][0]["pose"] = "poses.json#mine".into();
+    class.set_tests(&tests);
+    assert_eq!(result(&class.graded(), "ada", "adult-1")["outcome"], "right");
+    // Other programs cannot read it.
+    tests["command"] = json!({"run": ["./a", "{output}"]});
+    for extension in ["obj", "skel", "attach"] {
+        let root = env!("CARGO_MANIFEST_DIR");
+        let from = format!("{root}/assets/characters/adult.{extension}");
+        class.write(&format!("a.{extension}"), std::fs::read(from).unwrap());
+    }
+    tests["tests"][0]["character"] = "a.obj".into();
+    class.set_tests(&tests);
+    let ran = class.run("class --tests tests.json -o other");
+    let told = "expected a file with one pose for a command, found poses.json#mine";
+    assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
+}
+
+#[test]
 fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_report() {
     let (class, right) = class();
     class.write("class/ada/adult-1.obj", right);

@@ -56,6 +56,26 @@ fn check_prints_one_json_object_for_any_number_of_files() {
     assert_eq!(files[2]["posed_joints"], 1);
 }
 
+/// Poses as the course has them in one file.
+pub const POSES: &str = r#"{"poses": {"rest": {}, "bend": {"1": {"name": "Tip", "xyz_deg": [0, 0, 90]}}}}"#;
+
+#[test]
+fn the_poses_of_a_file_with_several_are_told_and_each_joint_is_looked_for() {
+    let folder = folder();
+    let path = folder.path();
+    std::fs::write(path.join("poses.json"), POSES).unwrap();
+    let ran = editor_in(path, &["check", "poses.json"]);
+    let expected = "poses.json\n  pose             rest, of 0 joints\n  pose             bend, of 1 joint\n";
+    assert_eq!((ran.code, &*ran.out), (Some(0), expected), "{}", ran.err);
+    let ran = editor_in(path, &["check", "--json", "poses.json"]);
+    let poses = json!([{"name": "rest", "joints": 0}, {"name": "bend", "joints": 1}]);
+    assert_eq!(json(&ran.out)["files"][0]["poses"], poses);
+    std::fs::write(path.join("poses.json"), POSES.replace("\"1\"", "\"7\"")).unwrap();
+    let ran = editor_in(path, &["check", "poses.json", "man.obj"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.out);
+    assert!(ran.err.contains("poses.json:1:"), "{}", ran.err);
+}
+
 #[test]
 fn a_pose_that_only_moves_a_root_is_of_one_joint_and_materials_are_named_once() {
     let folder = folder();

@@ -1,5 +1,6 @@
 //! `editor export`.
 
+use crate::program::check::POSES;
 use crate::program::{editor_in, files_in, folder};
 use crate::reference_data::{course, course_pose, posed};
 use glam::Vec3;
@@ -34,6 +35,24 @@ fn a_posed_character_is_written_in_the_order_of_its_file() {
         let apart = (0..3).map(|axis| (written[axis] - expected[axis]).abs());
         assert!(apart.fold(0.0, f32::max) < 1e-6, "{written:?} {expected:?}");
     }
+}
+
+#[test]
+fn one_pose_of_a_file_with_several_is_named_behind_the_file() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(path.join("poses.json"), POSES).unwrap();
+    let export = |pose: &str| {
+        let ran = editor_in(path, &["export", "man.obj", "--pose", pose, "-o", "o.obj"]);
+        assert_eq!(ran.code, Some(0), "{pose}: {}", ran.err);
+        vertices(&path.join("o.obj"))
+    };
+    assert_eq!(export("poses.json#bend"), export("bend.json"));
+    assert_ne!(export("poses.json#rest"), export("bend.json"));
+    let arguments = ["export", "man.obj", "--pose", "poses.json", "-o", "p.obj"];
+    let ran = editor_in(path, &arguments);
+    let told = "error: poses.json: expected one pose, found 2 (rest, bend): one of them is poses.json#rest\n";
+    assert!(ran.code == Some(1) && ran.err.ends_with(told), "{}", ran.err);
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use super::interruption::Interruption;
 use crate::cli::CliError;
-use crate::io::{CommandData, Diagnostic, TestData, builtin};
+use crate::disk::files;
+use crate::io::{CommandData, Diagnostic, TestData, builtin, pose_of_several};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -46,6 +47,11 @@ impl TestCommand {
                     let message = format!("expected files for a command, found {}", file.display());
                     return Err(Diagnostic::new(path, message).into());
                 }
+            }
+            if pose_of_several(&files(), &super::beside(path, &test.pose.path)).is_some() {
+                let found = test.pose.path.display();
+                let message = format!("expected a file with one pose for a command, found {found}");
+                return Err(Diagnostic::new(path, message).into());
             }
             let absolute = |file: &Path| {
                 let file = super::beside(path, file);

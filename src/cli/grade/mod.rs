@@ -12,7 +12,9 @@ use super::output::{eprint_line, json_text, visible};
 use super::{CliError, diagnose, print};
 use crate::disk::{self, files, plain_name};
 use crate::grade::{Graded, Report, Test};
-use crate::io::{Diagnostic, Files, NamedFile, PoseFile, Position, TestData, TestsFile, builtin};
+use crate::io::{
+    Diagnostic, Files, NamedFile, PoseFile, Position, TestData, TestsFile, builtin, pose_of_several,
+};
 use command::TestCommand;
 use kept::{KeptRun, Store};
 use std::collections::{BTreeMap, BTreeSet};
@@ -299,8 +301,8 @@ fn load(test: &TestData, tests: &Path) -> Result<Test, CliError> {
         let message = format!("expected one character, found {}", characters.len());
         return Err(Diagnostic::new(&character, message).into());
     };
-    let pose = builtin::resolve(&found_beside(tests, &test.pose, "a pose")?)?;
-    let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(only.skeleton())?;
+    let pose = PoseFile::open(&files, &found_beside(tests, &test.pose, "a pose")?)?;
+    let pose = pose.pose_of(only.skeleton())?;
     Ok(Test::new(test.clone(), only.clone(), pose))
 }
 
@@ -311,7 +313,8 @@ fn load(test: &TestData, tests: &Path) -> Result<Test, CliError> {
 fn found_beside(tests: &Path, named: &NamedFile, what: &str) -> Result<PathBuf, Diagnostic> {
     let path = beside(tests, &named.path);
     let is_builtin = path.to_string_lossy().starts_with(builtin::PREFIX);
-    if is_builtin || files().exists(&path) {
+    let files = files();
+    if is_builtin || files.exists(&path) || pose_of_several(&files, &path).is_some() {
         return Ok(path);
     }
     let found = path.display();
