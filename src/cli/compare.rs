@@ -10,7 +10,7 @@ use crate::compare::{
 use crate::disk::{self, files};
 use crate::geometry::Picture;
 use crate::io::image;
-use crate::io::{Diagnostic, Files, builtin, import_any, is_character, read_character_obj};
+use crate::io::{Diagnostic, Files, builtin, import_any, is_character, read_posed_obj};
 use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
@@ -213,14 +213,15 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         )));
     }
     let files = files();
-    let read = |path: &Path| -> Result<_, CliError> {
-        let imported = read_character_obj(path, &files.read(path)?)?;
+    let read = |path: &Path, vertices: usize| -> Result<_, CliError> {
+        let imported = read_posed_obj(path, &files.read(path)?, vertices)?;
         for warning in &imported.warnings {
             output::eprint_line(format_args!("warning: {warning}"));
         }
         Ok(imported.value)
     };
-    let (a, b) = (read(&args.a)?, read(&args.b)?);
+    let a = read(&args.a, 0)?;
+    let b = read(&args.b, a.positions.len())?;
     let parts = parts(args, &files, a.positions.len())?;
     let options = MeshOptions {
         tolerance: args.threshold,

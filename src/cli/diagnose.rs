@@ -9,9 +9,7 @@ use crate::diagnose::{
     Diagnosis, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
 };
 use crate::disk::files;
-use crate::io::{
-    Diagnostic, Files, Imported, PoseFile, import_character, read_character_obj,
-};
+use crate::io::{Diagnostic, Files, Imported, PoseFile, import_character, read_posed_obj};
 use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
@@ -141,9 +139,11 @@ fn print_json<R: Serialize>(args: &Args, result: &R) -> Result<(), CliError> {
 
 fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     let files = files();
-    let read = read_character_obj(&args.theirs, &files.read(&args.theirs)?)?;
-    let theirs = with_warnings(read);
+    let bytes = files.read(&args.theirs)?;
     let characters = characters(&files, &args.character)?;
+    let vertices = |character: &Arc<Character>| character.bind_mesh().positions.len();
+    let fewest = characters.iter().map(vertices).min().unwrap_or_default();
+    let theirs = with_warnings(read_posed_obj(&args.theirs, &bytes, fewest)?);
     let fits = |character: &&Arc<Character>| may_be_of(character, theirs.positions.len());
     // If none fits, the numbers of the first are told.
     let character = characters.iter().find(fits).unwrap_or(&characters[0]);

@@ -13,7 +13,7 @@ use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
     MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8,
-    read_character_obj,
+    read_posed_obj,
 };
 use crate::math::Euler;
 use base64::Engine;
@@ -129,7 +129,9 @@ impl Test {
         }
         let no_numbers = NoNumbers::find(bytes);
         let readable = no_numbers.as_ref().map_or(bytes, |found| &found.without);
-        let (theirs, mut warnings) = match read_character_obj(Path::new(&name), readable) {
+        let vertices = self.character.bind_mesh().positions.len();
+        let read = read_posed_obj(Path::new(&name), readable, vertices);
+        let (theirs, mut warnings) = match read {
             Ok(read) => (
                 read.value,
                 read.warnings

@@ -20,6 +20,20 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
     at_once(|pace| async move { read_character_obj_by(path, bytes, &pace).await })
 }
 
+/// As [`read_character_obj`], of a file that should have so many `vertices`: where faces name vertices that are not
+/// there, the error says how many lack.
+///
+/// # Errors
+/// As [`read_character_obj`].
+pub fn read_posed_obj(
+    path: &Path,
+    bytes: &[u8],
+    vertices: usize,
+) -> Result<Imported<Mesh>, Diagnostic> {
+    let faces = FaceReader::expecting(vertices);
+    at_once(|pace| async move { read_mesh(path, bytes, faces, &pace).await })
+}
+
 /// As [`read_character_obj`], at a pace that is told of bytes.
 ///
 /// # Errors
@@ -29,10 +43,18 @@ pub(super) async fn read_character_obj_by(
     bytes: &[u8],
     pace: &Pace,
 ) -> Result<Imported<Mesh>, Diagnostic> {
+    read_mesh(path, bytes, FaceReader::default(), pace).await
+}
+
+async fn read_mesh(
+    path: &Path,
+    bytes: &[u8],
+    mut faces: FaceReader,
+    pace: &Pace,
+) -> Result<Imported<Mesh>, Diagnostic> {
     let bytes = in_utf8(bytes);
     let mut scanner = Scanner::new(path, &bytes)?;
     let mut positions = Vec::new();
-    let mut faces = FaceReader::default();
     pace.begin(0.0..0.9);
     while read_lines(&mut scanner, &mut positions, &mut faces)? {
         pace.tell(scanner.part());

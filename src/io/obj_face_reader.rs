@@ -12,6 +12,8 @@ const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 pub(super) struct FaceReader {
     /// How many vertices, texture coordinates and normals were read so far.
     pub counts: [usize; 3],
+    /// How many vertices the file should have, if that is known.
+    expected_vertices: Option<usize>,
     faces: Faces,
     ahead: Vec<Ahead>,
     warnings: Warnings,
@@ -28,6 +30,14 @@ struct Ahead {
 }
 
 impl FaceReader {
+    /// A reader for a file that should have so many vertices.
+    pub fn expecting(vertices: usize) -> Self {
+        Self {
+            expected_vertices: Some(vertices),
+            ..Self::default()
+        }
+    }
+
     /// Makes room for so many triangles.
     pub fn make_room(&mut self, triangles: usize) {
         self.faces.make_room(triangles);
@@ -195,11 +205,16 @@ impl FaceReader {
     fn does_not_exist(&self, scanner: &Scanner, missing: &Ahead) -> Diagnostic {
         let (count, name) = (self.counts[missing.kind], KINDS[missing.kind]);
         let found = missing.index + 1;
-        let message = if count == 0 {
+        let mut message = if count == 0 {
             format!("expected no {name}, for the file has none, found {found}")
         } else {
             format!("expected a {name} from 1 to {count}, found {found}")
         };
+        let expected = self.expected_vertices.filter(|_| missing.kind == 0);
+        if let Some(expected) = expected.filter(|expected| *expected > count) {
+            let lacking = expected - count;
+            message += &format!(": the file lacks {lacking} of {expected} vertices");
+        }
         scanner.error(missing.at, message)
     }
 }

@@ -54,9 +54,11 @@ impl Program {
         path: &Path,
         files: &dyn Files,
     ) -> Result<(), String> {
+        let ours = self.session.scene().character(shape);
+        let vertices = ours.map_or(0, |ours| ours.character.bind_mesh().positions.len());
         let read = files
             .read(path)
-            .and_then(|bytes| io::read_character_obj(path, &bytes));
+            .and_then(|bytes| io::read_posed_obj(path, &bytes, vertices));
         let mut theirs = match read {
             Ok(read) => {
                 self.tell_all(Severity::Warning, read.warnings);

@@ -20,6 +20,7 @@ fn folder() -> TempDir {
         ("wrong.obj", "v 0 1 0\nv 0 0.5 0\nv -3 1 0\nf 1 2 3\n"),
         ("odd.obj", "v 0 1 0\nv 0 0.5 4\nv -3 7 0\nf 1 2 3\n"),
         ("two.obj", "v 0 1 0\nv 0 0.5 4\nf 1 2 1\n"),
+        ("lost.obj", "v 0 1 0\nv 0 0.5 4\nf 1 2 3\n"),
         ("nan.obj", "v 0 1 nan\nv 0 0.5 4\nv 0 0 0\nf 1 2 3\n"),
         ("empty.obj", ""),
         ("half.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\n"),
@@ -197,6 +198,10 @@ fn a_file_that_is_wrong_or_does_not_fit_is_one_clear_error() {
         (
             "two.obj man.obj bend.json",
             "two.obj: expected 3 vertices, as the character has, found 2",
+        ),
+        (
+            "lost.obj man.obj bend.json",
+            "lost.obj:3:7: expected a vertex from 1 to 2, found 3: the file lacks 1 of 3 vertices",
         ),
         (
             "right.obj box.obj bend.json",

@@ -124,6 +124,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     class.write("class/sam/hw2/out/adult-1.obj", &right);
     class.write("class/tim/adult-1.obj", inside_out(&right));
     class.write("class/una/adult-1.obj", &one_other);
+    class.write("class/zoe/adult-1.obj", right.split_once('\n').unwrap().1);
     let zyx = obj(&with(&["euler-zyx"]).skin(figure), figure, number);
     let cut = zyx.lines().take(vertices + 1000);
     class.write("class/eli/adult-1.obj", cut.collect::<Vec<_>>().join("\n"));
@@ -176,6 +177,11 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("una", "explained", "right but for its triangles: "),
         ("eli", "explained", "euler-zyx: "),
         ("ned", "unreadable", "adult-1.obj:13301:"),
+        (
+            "zoe",
+            "unreadable",
+            "adult-1.obj:39695:15: expected a vertex from 1 to 13300, found 13301: the file lacks 1 of 13301 vertices",
+        ),
         ("ole", "right", "right: this is the exact result"),
     ] {
         let found = result(&report, name, "adult-1");
@@ -311,7 +317,10 @@ fn a_test_may_have_one_pose_of_a_file_with_several() {
     class.write("poses.json", several.to_string());
     tests["tests"][0]["pose"] = "poses.json#mine".into();
     class.set_tests(&tests);
-    assert_eq!(result(&class.graded(), "ada", "adult-1")["outcome"], "right");
+    assert_eq!(
+        result(&class.graded(), "ada", "adult-1")["outcome"],
+        "right"
+    );
     // Other programs cannot read it.
     tests["command"] = json!({"run": ["./a", "{output}"]});
     for extension in ["obj", "skel", "attach"] {

@@ -57,7 +57,8 @@ fn check_prints_one_json_object_for_any_number_of_files() {
 }
 
 /// Poses as the course has them in one file.
-pub const POSES: &str = r#"{"poses": {"rest": {}, "bend": {"1": {"name": "Tip", "xyz_deg": [0, 0, 90]}}}}"#;
+pub const POSES: &str =
+    r#"{"poses": {"rest": {}, "bend": {"1": {"name": "Tip", "xyz_deg": [0, 0, 90]}}}}"#;
 
 #[test]
 fn the_poses_of_a_file_with_several_are_told_and_each_joint_is_looked_for() {
@@ -65,7 +66,8 @@ fn the_poses_of_a_file_with_several_are_told_and_each_joint_is_looked_for() {
     let path = folder.path();
     std::fs::write(path.join("poses.json"), POSES).unwrap();
     let ran = editor_in(path, &["check", "poses.json"]);
-    let expected = "poses.json\n  pose             rest, of 0 joints\n  pose             bend, of 1 joint\n";
+    let expected =
+        "poses.json\n  pose             rest, of 0 joints\n  pose             bend, of 1 joint\n";
     assert_eq!((ran.code, &*ran.out), (Some(0), expected), "{}", ran.err);
     let ran = editor_in(path, &["check", "--json", "poses.json"]);
     let poses = json!([{"name": "rest", "joints": 0}, {"name": "bend", "joints": 1}]);

@@ -52,7 +52,11 @@ fn one_pose_of_a_file_with_several_is_named_behind_the_file() {
     let arguments = ["export", "man.obj", "--pose", "poses.json", "-o", "p.obj"];
     let ran = editor_in(path, &arguments);
     let told = "error: poses.json: expected one pose, found 2 (rest, bend): one of them is poses.json#rest\n";
-    assert!(ran.code == Some(1) && ran.err.ends_with(told), "{}", ran.err);
+    assert!(
+        ran.code == Some(1) && ran.err.ends_with(told),
+        "{}",
+        ran.err
+    );
 }
 
 #[test]

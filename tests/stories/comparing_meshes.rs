@@ -774,6 +774,11 @@ fn a_mesh_that_its_program_writes_anew_is_compared_anew() {
     text(&story, "mine.obj:1:6: expected");
     let says_right = |story: &Story| texts(story).iter().any(|text| text.starts_with("Right: "));
     assert!(!says_right(&story) && !story.has("Every vertex is in its place."));
+    let right = String::from_utf8(mine(&dog(), &RIGHT)).unwrap();
+    let lost = right.split_once('\n').unwrap().1;
+    write(&mut story, lost.into());
+    let said = text(&story, "mine.obj:");
+    assert!(said.contains(": the file lacks 1 of "), "{said}");
     story.host.files.remove(Path::new("mine.obj"));
     let changed = HostEvent::Changed("mine.obj".into());
     story.host.events.push_back(changed);
