@@ -8,7 +8,7 @@ use super::output::{DiagnosticJson, eprint_line, json_text, visible};
 use super::pipes::Ends;
 use super::{CliError, print};
 use crate::character::{Influence, SkeletalModel};
-use crate::disk::files;
+use crate::disk::{as_given, files};
 use crate::editor::Session;
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, TestsFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Shape, ShapeKind, ViewSettings};
@@ -160,7 +160,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 impl FileReport {
     fn new(path: &Path) -> Self {
         Self {
-            path: path.display().to_string(),
+            path: as_given(path).to_string(),
             error: None,
             shapes: Vec::new(),
             posed_joints: None,

@@ -7,7 +7,7 @@ use crate::character::{Attachments, Character};
 use crate::compare::{
     Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
-use crate::disk::{self, files};
+use crate::disk::{self, as_given, files};
 use crate::geometry::Picture;
 use crate::io::image;
 use crate::io::{Diagnostic, Files, builtin, import_any, is_character, read_posed_obj};
@@ -246,7 +246,7 @@ fn meshes(args: &Args) -> Result<(), CliError> {
 /// The command that finds mistakes in skinning, which no comparison can, if B is `what`: of the character `model`, if that
 /// is known.
 fn how_to_diagnose(args: &Args, what: &str, model: Option<&PathBuf>) -> String {
-    let word = |path: &Path| shell_word(&path.to_string_lossy());
+    let word = |path: &Path| shell_word(&as_given(path).to_string());
     let theirs = word(&args.b);
     let model = model.map_or("MODEL.obj".to_owned(), |model| word(model));
     format!(
@@ -327,8 +327,8 @@ fn print_result<C: Serialize + Display>(
 
 fn print_json<C: Serialize>(args: &Args, comparison: &C) -> Result<(), CliError> {
     let report = Report {
-        a: args.a.display().to_string(),
-        b: args.b.display().to_string(),
+        a: as_given(&args.a).to_string(),
+        b: as_given(&args.b).to_string(),
         comparison,
     };
     print(&json_text(&report)?)

@@ -8,7 +8,7 @@ use crate::character::{Character, Pose};
 use crate::diagnose::{
     Diagnosis, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
 };
-use crate::disk::files;
+use crate::disk::{as_given, files};
 use crate::io::{Diagnostic, Files, Imported, PoseFile, import_character, read_posed_obj};
 use crate::scene::ShapeKind;
 use serde::Serialize;
@@ -129,9 +129,9 @@ fn report<R: Serialize + Display>(
 
 fn print_json<R: Serialize>(args: &Args, result: &R) -> Result<(), CliError> {
     let report = Report {
-        theirs: args.theirs.display().to_string(),
-        character: args.character.display().to_string(),
-        pose: args.pose.display().to_string(),
+        theirs: as_given(&args.theirs).to_string(),
+        character: as_given(&args.character).to_string(),
+        pose: as_given(&args.pose).to_string(),
         result,
     };
     print(&json_text(&report)?)

@@ -7,7 +7,7 @@ mod scratch;
 mod staged;
 mod write;
 
-pub use piped::{PIPE, is_pipe, pipe_of, take_standard_input};
+pub use piped::{PIPE, as_given, is_pipe, pipe_of, take_standard_input};
 pub use plain_name::plain_name;
 pub use scratch::ScratchFolder;
 pub use write::{

@@ -45,6 +45,12 @@ pub fn is_pipe(path: &Path) -> bool {
         .is_some_and(|extension| path == pipe_of(&extension.to_string_lossy()))
 }
 
+/// The path as the command line has it: `-` for standard input or output.
+pub fn as_given(path: &Path) -> std::path::Display<'_> {
+    let given = if is_pipe(path) { Path::new(PIPE) } else { path };
+    given.display()
+}
+
 /// What came through standard input, if that is what `path` is called by.
 pub(super) fn piped(path: &Path) -> Option<&'static [u8]> {
     let (known, bytes) = PIPED.get()?;
