@@ -207,7 +207,10 @@ pub(super) fn press(
         )));
         return;
     }
+    // Who has just clicked a row of the list means the shape, and not a joint of it.
+    let of_row = command == Command::Delete && state.shape_row_has_keys;
     let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)
+        && !of_row
         && selected_character(session).is_some()
         && session.selected_joint().is_none();
     if command == Command::Delete && poses {
@@ -217,7 +220,11 @@ pub(super) fn press(
             session,
         ));
     }
-    let command = match commands::meant(command, session, state.pose.tool) {
+    let meant = match of_row {
+        true => command,
+        false => commands::meant(command, session, state.pose.tool),
+    };
+    let command = match meant {
         Command::Begin(Tool::Rotate) if command == Command::Begin(Tool::Move) => {
             let why = "Only the root moves: this bone turns, and numbers are degrees";
             actions.extend(tell_once(why, session));

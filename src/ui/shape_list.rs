@@ -46,6 +46,7 @@ pub(super) fn show(
     actions: &mut Vec<Action>,
 ) {
     section(ui, "Shape Selector");
+    state.shape_row_has_keys = false;
     let shapes = session.scene().shapes();
     if shapes.is_empty() {
         ui.label(RichText::new("Nothing here yet. Insert adds a shape or a character.").weak());
@@ -127,6 +128,15 @@ fn rows(
             movement = moved(pressed, index, shapes.len());
         }
         responses.push(row);
+    }
+    // egui takes it from a row after clicks elsewhere, but not after drags.
+    let is_pressed = ui.input(|input| input.pointer.any_pressed());
+    for row in responses.iter().filter(|row| row.has_focus()) {
+        if is_pressed && !row.contains_pointer() {
+            row.surrender_focus();
+        } else {
+            state.shape_row_has_keys = true;
+        }
     }
     // After all rows, whose colors would cover half of it.
     if let Some(y) = line {

@@ -1,9 +1,11 @@
 //! The joint list.
 
 use crate::interface::{Editor, figure};
-use editor_core::editor::View;
+use editor_core::character::Pose;
+use editor_core::editor::{Edit, View};
+use editor_core::math::Euler;
 use editor_core::ui::Ask;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::NodeT;
 use glam::Vec3;
 
@@ -514,4 +516,29 @@ fn the_list_stays_where_it_is_while_the_pointer_is_over_it() {
         assert_eq!(editor.session().hovered_joint(), Some(joint));
     }
     assert_eq!(editor.widget("Joint 20").rect(), before);
+}
+
+#[test]
+fn delete_is_about_the_shape_after_a_click_on_its_row_and_about_the_joint_after_one_on_a_bone() {
+    const LEFT_KNEE: usize = 10;
+    let mut editor = Editor::with_hands(Key::B);
+    let shape = editor.shape().id;
+    let mut pose = Pose::new();
+    pose.set_joint_transform(LEFT_KNEE, Euler::from_degrees(Vec3::X * 30.0));
+    editor.edit(Edit::SetPose(shape, pose));
+    editor.view(View::SelectJoint(Some(LEFT_KNEE)));
+    editor.click("[1] Model1 (ID: 1)");
+    // A press in the view takes the keyboard from the row again.
+    let empty = editor.harness.state().view.left_top() + vec2(30.0, 120.0);
+    editor.press(empty);
+    editor.release(empty);
+    editor.view(View::Select(Some(shape)));
+    editor.view(View::SelectJoint(Some(LEFT_KNEE)));
+    editor.key(Key::Delete);
+    let posed = editor.session().scene().character(shape).unwrap();
+    assert!(posed.pose().is_bind(), "the joint is put back");
+    editor.click("[1] Model1 (ID: 1)");
+    assert_eq!(editor.session().selected_joint(), Some(LEFT_KNEE));
+    editor.key(Key::Delete);
+    assert!(editor.session().scene().shapes().is_empty());
 }
