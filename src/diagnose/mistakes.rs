@@ -98,6 +98,9 @@ macro_rules! sign_flipped {
     };
 }
 
+/// Name of the mistake that leaves the mesh in the bind pose.
+pub const POSE_NOT_APPLIED: &str = "pose-not-applied";
+
 /// Every mistake that is known, the most telling first: where several give the same mesh, they are
 /// named in this order.
 pub static MISTAKES: &[Mistake] = &[
@@ -231,7 +234,7 @@ pub static MISTAKES: &[Mistake] = &[
     // Before all that is about angles: of what looks like the bind pose the simplest is that nothing was done, though
     // angles that are tiny, or of which some are not used, may give the same.
     Mistake {
-        id: "pose-not-applied",
+        id: POSE_NOT_APPLIED,
         meaning: "the mesh is in the bind pose",
         section: SLIDERS,
         look_at: "whether angles reach setJointTransform, and whether \

@@ -35,7 +35,7 @@ pub use formula::{
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
-pub use mistakes::{MISTAKES, Mistake, Reading};
+pub use mistakes::{MISTAKES, Mistake, POSE_NOT_APPLIED, Reading};
 pub use nearest::Nearest;
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture, has_silhouette};
@@ -204,6 +204,10 @@ async fn diagnose_vertices(
             found.nearest = nearest::find(&search, model, pose, order, &alone);
         }
         return Ok(found);
+    }
+    if pose.is_bind() {
+        // Whatever leaves out weights gives the file's own mesh at rest. The simplest is that it is that.
+        explanations.sort_by_key(|explanation| explanation.ids() != [POSE_NOT_APPLIED]);
     }
     Ok(findings.explained(&explanations))
 }

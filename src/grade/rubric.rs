@@ -1,7 +1,7 @@
 //! Points by the rubric.
 
 use super::graded::{Graded, Outcome};
-use crate::diagnose::Mistake;
+use crate::diagnose::{Mistake, POSE_NOT_APPLIED};
 use crate::io::{
     MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
     RubricData, TestData,
@@ -14,10 +14,8 @@ const OF_POSED_MESHES: &str = "4.2";
 /// The section in which angles come to joints.
 const OF_ANGLES: &str = "3.4";
 
-/// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
-/// pose of its test shows nothing of what the test asks for, whatever the section.
-pub(super) const POSE_NOT_APPLIED: &str = "pose-not-applied";
-/// What it leaves unless the rubric says otherwise.
+/// What a pose that was not applied leaves unless the rubric says otherwise. All of a result rests on it: a mesh that is
+/// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it does.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// Share of its joints from which on another pose shows all that the test asks for but some angles.
 const MOSTLY_AS_ASKED: f64 = 0.5;

@@ -6,8 +6,8 @@ use super::report::NEARLY;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NearlyRight, OtherPose, PictureError, Verdict, diagnose, diagnose_picture,
-    has_silhouette, measure,
+    Diagnosis, NearlyRight, OtherPose, POSE_NOT_APPLIED, PictureError, Verdict, diagnose,
+    diagnose_picture, has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
@@ -207,6 +207,10 @@ impl Test {
         };
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         let mut causes = explanations(found.together(), &found.same_as);
+        if self.pose.is_bind() {
+            // There is no pose to apply: whatever else gives the same counts first.
+            causes.sort_by_key(|ids| ids.iter().any(|id| id == POSE_NOT_APPLIED));
+        }
         if found.verdict == Verdict::Explained {
             for mistakes in &mut causes {
                 let of_faces = found.faces.mistakes();

@@ -2,9 +2,9 @@
 
 use super::graded::{Graded, Outcome};
 use super::rubric::{
-    POSE_NOT_APPLIED, counted, counts_as_mistakes, number, of_other_pose, own_section, section_of,
-    share_left,
+    counted, counts_as_mistakes, number, of_other_pose, own_section, section_of, share_left,
 };
+use crate::diagnose::POSE_NOT_APPLIED;
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
 /// Why a test has not all of its points, in sentences.

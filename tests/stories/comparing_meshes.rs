@@ -1,7 +1,8 @@
 //! Comparing a character with a mesh that another program posed.
 
 use super::explaining::{self, NO_INVERSE};
-use super::{Story, differing};
+use super::{Story, differing, started_before};
+use crate::host::MemoryHost;
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::editor::{Edit, Severity, View};
@@ -538,6 +539,40 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(!is_told(&story));
+}
+
+#[test]
+fn the_file_of_a_character_beside_the_character_at_rest_is_said_to_be_that() {
+    let mut host = MemoryHost {
+        stored: [started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let assets = format!("{}/assets/characters/dog", env!("CARGO_MANIFEST_DIR"));
+    for extension in ["obj", "skel", "attach"] {
+        let text = std::fs::read_to_string(format!("{assets}.{extension}")).unwrap();
+        // The weights of one vertex sum to a little less than 1.
+        let text = match extension {
+            "attach" => text.replacen("0.9948", "0.97", 1),
+            _ => text,
+        };
+        let path = format!("models/dog.{extension}");
+        host.files.insert(path.into(), text.into());
+    }
+    let mut story = Story::start_at(host, &["models/dog.obj"]);
+    let file = story.host.files[Path::new("models/dog.obj")].clone();
+    compare_with(&mut story, file);
+    diagnose(&mut story);
+    text(
+        &story,
+        "mine.obj is the mesh at rest as the character's file has it.",
+    );
+    assert!(story.has("Load Its Pose…"));
+    assert!(
+        !texts(&story)
+            .iter()
+            .any(|text| text.contains("seems to be posed"))
+    );
+    assert!(!story.has_text("matrix-transposed:"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::panel::{label, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
-use crate::diagnose::{Diagnosis, Mistake, OtherPose, Shown, Verdict, of_size};
+use crate::diagnose::{Diagnosis, Mistake, OtherPose, POSE_NOT_APPLIED, Shown, Verdict, of_size};
 use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
 use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
@@ -169,6 +169,10 @@ impl Parts<'_> {
             Verdict::Explained | Verdict::Unexplained => false,
         };
         let lacks_pose = is_at_rest && !is_of_pose;
+        let is_together = diagnosis.together() == [POSE_NOT_APPLIED];
+        if lacks_pose && is_together {
+            return self.as_the_file_has_it(ui, diagnosis);
+        }
         if lacks_pose {
             // What a student forgets first.
             let text = format!(
@@ -211,18 +215,40 @@ impl Parts<'_> {
             Verdict::Unexplained if lacks_pose => {}
             Verdict::OtherPose | Verdict::Unexplained => self.unexplained(ui, diagnosis),
         }
-        if !diagnosis.same_as.is_empty() {
-            let all = diagnosis.same_as.iter().map(|ids| ids.join(" and "));
-            let text = format!(
-                "Indistinguishable here: {}",
-                all.collect::<Vec<_>>().join(", ")
-            );
-            let ids = diagnosis.same_as.iter().flatten().copied();
-            label(ui, &text, palette.weak).on_hover_text(meanings(ids));
-        }
+        self.same_as(ui, diagnosis);
         if let Some(first) = &diagnosis.first {
             self.shown_by(ui, first);
         }
+    }
+
+    /// What is known of the mesh of the character's file beside the character at rest.
+    fn as_the_file_has_it(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
+        let palette = Palette::of(ui.visuals());
+        let name = self.compare.name;
+        let text = format!("{name} is the mesh at rest as the character's file has it.");
+        say(ui, &text, palette.strong);
+        let away = of_size(diagnosis.error_from_exact);
+        let text = format!(
+            "Skinned, the character is up to {away} from it, as where weights do not sum to 1. Only a pose shows \
+             whether a mesh is skinned: load the one that {name} was made in, if there is one."
+        );
+        say(ui, &text, palette.text);
+        self.load_pose(ui);
+        self.same_as(ui, diagnosis);
+    }
+
+    /// Mistakes that give the same.
+    fn same_as(&self, ui: &mut Ui, diagnosis: &Diagnosis) {
+        if diagnosis.same_as.is_empty() {
+            return;
+        }
+        let all = diagnosis.same_as.iter().map(|ids| ids.join(" and "));
+        let text = format!(
+            "Indistinguishable here: {}",
+            all.collect::<Vec<_>>().join(", ")
+        );
+        let ids = diagnosis.same_as.iter().flatten().copied();
+        label(ui, &text, Palette::of(ui.visuals()).weak).on_hover_text(meanings(ids));
     }
 
     /// What is known of a mesh that no mistake gives.
