@@ -150,6 +150,32 @@ fn the_archive_holds_code_program_answers_picture_and_data_and_nothing_else() {
 }
 
 #[test]
+fn the_picture_is_wider_where_somebody_would_be_cut_off_at_its_sides() {
+    let folder = project();
+    let hand_in = |place: &str| {
+        let wide = scene(&[30.0, 30.0]).replace("[1, -1, 0]", place);
+        fs::write(folder.path().join("wide.scene"), wide).unwrap();
+        let ran = submit(
+            &folder,
+            "--scene wide.scene --answers answers.md -o wide.zip",
+        );
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        let files = unpacked(&folder.path().join("wide.zip"));
+        let picture = image::load_from_memory(&files["wide/picture.png"].0).unwrap();
+        assert_eq!(picture.height(), 960);
+        (picture.width(), ran.err)
+    };
+    let (width, told) = hand_in("[3, -1, 0]");
+    assert!((1281..2304).contains(&width), "{width}");
+    let note = format!("note: the picture is {width}x960, so that nobody is cut off at its sides");
+    assert!(told.contains(&note), "{told}");
+    let (width, told) = hand_in("[5, -1, 0], \"scale\": [9, 1, 1]");
+    assert_eq!(width, 2304);
+    let warning = "warning: “Man 1” is cut off at a side of the picture";
+    assert!(told.contains(warning) && !told.contains("note"), "{told}");
+}
+
+#[test]
 fn our_own_project_is_in_the_archive_byte_for_byte() {
     let folder = project();
     let project = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -313,7 +339,7 @@ fn the_form_is_answered_or_the_readme_of_the_project_and_the_name_makes_that_of_
         false => format!("{line}\n"),
     });
     let answered: String = lines.collect();
-    assert_eq!(answered.matches("answered").count(), 7, "{answered}");
+    assert_eq!(answered.matches("answered").count(), 6, "{answered}");
     fs::write(folder.path().join("p/README.txt"), answered).unwrap();
     let line = [
         "submit",

@@ -2,9 +2,9 @@
 
 use super::explaining::{self, NO_INVERSE};
 use super::{Story, differing, started_before};
-use crate::host::MemoryHost;
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
+use crate::host::MemoryHost;
 use editor_core::editor::{Edit, Severity, View};
 use editor_core::geometry::Picture;
 use editor_core::io::{PoseData, export_obj};

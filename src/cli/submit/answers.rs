@@ -43,8 +43,10 @@ pub(super) const QUESTIONS: &[Question] = &[
 
 /// First heading of the README.
 const TITLE: &str = "Hierarchical Modeling and SSD";
-/// Heading of the list of what is in the archive, which is written anew each time.
+/// Heading of the list of what is in the archive, after what the student says about it.
 const CONTENTS: &str = "What is in this archive";
+/// Line before that list, which is written anew each time.
+const LISTED: &str = "The files:";
 
 /// Answers to [`QUESTIONS`], and other sections that the student has written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -53,6 +55,8 @@ pub(super) struct Answers {
     answers: [String; QUESTIONS.len()],
     /// Heading and text.
     others: Vec<(String, String)>,
+    /// What the student says about what is in the archive.
+    about_contents: String,
 }
 
 impl Answers {
@@ -113,7 +117,11 @@ impl Answers {
                 let message = format!("expected one answer to “{key}”, found a second");
                 return Err(Diagnostic::at(path, line, 4, message));
             }
-            None if heading == CONTENTS => {}
+            None if heading == CONTENTS => {
+                let lines = text.lines().take_while(|line| line.trim() != LISTED);
+                let own: Vec<&str> = lines.collect();
+                own.join("\n").trim().clone_into(&mut self.about_contents);
+            }
             None => self.others.push((heading.to_owned(), text)),
         }
         Ok(())
@@ -167,7 +175,7 @@ impl Answers {
         Ok(())
     }
 
-    /// The README, with one line for each of `contents`.
+    /// The README, with one line for each of `contents`; without those the form to be filled in.
     pub fn readme(&self, contents: &[String]) -> String {
         let mut text = format!("# {TITLE}\n");
         let answered = QUESTIONS.iter().map(|question| question.text);
@@ -177,7 +185,14 @@ impl Answers {
         for (heading, section) in answered.chain(others) {
             text.push_str(&format!("\n## {heading}\n\n{section}\n"));
         }
+        if contents.is_empty() {
+            return text;
+        }
         text.push_str(&format!("\n## {CONTENTS}\n\n"));
+        if !self.about_contents.is_empty() {
+            text.push_str(&format!("{}\n\n", self.about_contents));
+        }
+        text.push_str(&format!("{LISTED}\n\n"));
         for line in contents {
             text.push_str(&format!("- {line}\n"));
         }
@@ -212,7 +227,16 @@ mod tests {
     fn a_readme_that_was_written_is_read_again_as_the_same_answers() {
         let answers = read(ALL).unwrap();
         let readme = answers.readme(&["code".to_owned()]);
-        assert_eq!(read(&readme), Ok(answers));
+        assert_eq!(read(&readme), Ok(answers.clone()));
+        // What the student says about the archive is kept, and the list is written anew.
+        let own = "My notes.\n\n- the walk";
+        let said = readme.replace("The files:", &format!("{own}\n\nThe files:"));
+        let again = read(&said).unwrap().readme(&["data".to_owned()]);
+        let expected = format!("archive\n\n{own}\n\nThe files:\n\n- data\n");
+        assert!(again.ends_with(&expected), "{again}");
+        let typed = read(&format!("{ALL}## What is in this archive\n{own}\n")).unwrap();
+        assert!(typed.readme(&["data".to_owned()]).ends_with(&expected));
+        assert!(!answers.readme(&[]).contains("archive"), "the form");
     }
 
     #[test]
