@@ -193,19 +193,31 @@ pub(super) async fn import_shape_by(
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
             Ok(mesh.map(|mesh| vec![new_shape(source, kind(mesh))]))
         }
-        "dae" => Ok(read_dae_by(&recorder, &file, pace).await?.map(|scene| {
-            let shapes = shapes_of(source(&recorder, path, Importer::Shape), scene);
-            let rigid = shapes.into_iter().map(|shape| {
-                let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
-                NewShape {
-                    source: shape.source,
-                    ..rigid
-                }
+        "dae" => {
+            let read = read_dae_by(&recorder, &file, pace).await?;
+            let characters = read.value.characters.iter();
+            let with_mesh =
+                characters.filter(|found| !found.character.bind_mesh().positions.is_empty());
+            let left_out = with_mesh.count() > 0;
+            let mut shapes = read.map(|scene| {
+                let shapes = shapes_of(source(&recorder, path, Importer::Shape), scene);
+                let rigid = shapes.into_iter().map(|shape| {
+                    let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
+                    NewShape {
+                        source: shape.source,
+                        ..rigid
+                    }
+                });
+                let with_mesh = rigid.filter(|shape| !shape.kind.mesh().positions.is_empty());
+                with_mesh.collect()
             });
-            rigid
-                .filter(|shape| !shape.kind.mesh().positions.is_empty())
-                .collect()
-        })),
+            if left_out {
+                let message = "expected a shape, found a character: its bones are left out. Insert ▸ Import ▸ \
+                               Import Character… brings them along";
+                shapes.warnings.push(Diagnostic::new(path, message));
+            }
+            Ok(shapes)
+        }
         extension => Err(cannot_open(files, path, extension, "a shape", WITH_MESHES)),
     }
 }

@@ -39,7 +39,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, state: &mut UiState, actions:
         if let ShapeKind::Mesh(_) = &shape.kind {
             ui.separator();
             let color = Palette::of(ui.visuals()).weak;
-            ui.add(Label::new(RichText::new(WITHOUT_JOINTS).small().color(color)).wrap());
+            ui.add(Label::new(RichText::new(without_joints(shape)).small().color(color)).wrap());
         }
         if let ShapeKind::Missing(missing) = &shape.kind {
             ui.separator();
@@ -55,6 +55,17 @@ pub(super) fn show(ui: &mut Ui, session: &Session, state: &mut UiState, actions:
 }
 
 /// What is said of an imported mesh, which may have been meant as a character.
+fn without_joints(shape: &Shape) -> &'static str {
+    let file = shape.source.as_ref().map(|source| source.file.as_str());
+    if file.is_some_and(|file| file.to_lowercase().ends_with(".dae")) {
+        COLLADA_WITHOUT_JOINTS
+    } else {
+        WITHOUT_JOINTS
+    }
+}
+
+const COLLADA_WITHOUT_JOINTS: &str = "This mesh has no joints. If its .dae has some, Insert ▸ Import ▸ Import \
+                                      Character… brings them along.";
 const WITHOUT_JOINTS: &str = "This mesh has no joints. A character's .obj has its .skel and .attach beside it, and is \
                               chosen or dropped together with them.";
 

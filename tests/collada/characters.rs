@@ -319,6 +319,23 @@ fn weights_are_divided_by_their_sum_and_a_vertex_without_any_stays() {
 }
 
 #[test]
+fn a_mesh_that_no_weight_moves_is_told() {
+    let skin = Skin {
+        joints: "a b",
+        weights: "0 0 0",
+        vcount: "1 1 1",
+        v: "0 0 0 1 1 2",
+        ..Skin::default()
+    };
+    let warnings = import(&arm(&skin)).warnings;
+    let [only] = &warnings[..] else {
+        panic!("{warnings:?}");
+    };
+    let told = "expected weights that are not 0, found none at 3 of 3 positions: these stay at rest";
+    assert_eq!(only.message, told);
+}
+
+#[test]
 fn any_number_of_influences_is_kept_and_four_are_the_largest_of_equals_the_first_listed() {
     let names = ["a", "b", "e", "f", "h", "i"];
     let chain = names

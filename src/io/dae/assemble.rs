@@ -189,7 +189,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             .iter()
             .map(|node| joint_of_node.get(&(*node)?).copied())
             .collect();
-        let mut unusable = 0;
+        let (mut unusable, mut without) = (0, 0);
         let mut row: Vec<(u32, f32)> = Vec::new();
         for position in 0..instance.geometry.positions.len() {
             row.clear();
@@ -206,6 +206,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let sum: f32 = row.iter().map(|&(_, weight)| weight).sum();
             if row.is_empty() {
                 self.report.unweighted += 1;
+                without += 1;
             } else if sum > 0.0 && sum.is_finite() {
                 self.report.add_weight_sum(sum);
             } else {
@@ -217,6 +218,14 @@ impl<'d, 'a> Assembler<'d, 'a> {
                 let weight = weight / sum;
                 weight.is_finite().then_some(Influence { joint, weight })
             }));
+        }
+        // Some positions without weights are common; a mesh that hardly moves looks like a fault of the program.
+        let all = instance.geometry.positions.len();
+        if without * 10 >= all * 9 && all > 0 {
+            let message = format!(
+                "expected weights that are not 0, found none at {without} of {all} positions: these stay at rest"
+            );
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
         if unusable > 0 {
             let message = format!(
