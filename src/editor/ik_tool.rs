@@ -1,12 +1,13 @@
+use super::movement::{MoveAlong, Movement};
 use super::{Edit, IkGrip, Session};
 use crate::character::ik::{IkChain, IkGoal, hold_pins};
 use crate::character::{Pose, SkeletalModel};
-use crate::math::{DRay, Ray};
+use crate::math::Ray;
 use crate::scene::{IkSettings, ShapeId};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// Drag of a part of a character by inverse kinematics: it follows the pointer in the plane
-/// parallel to the picture, and a chain of joints follows it. Pinned joints stay where they are.
+/// parallel to the picture, or along axes, and a chain of joints follows it. Pinned joints stay where they are.
 ///
 /// Each step starts from the previous one, so that a hand can be led all around its shoulder and
 /// the elbow never flips; the positions of pins are those at the start.
@@ -18,13 +19,8 @@ pub struct IkDrag {
     chain: Option<IkChain>,
     settings: IkSettings,
     start: Pose,
-    /// Position of the grip at the start, in the world.
-    anchor: DVec3,
-    /// Normal of the plane in which the grip moves, in the world.
-    normal: DVec3,
-    /// Point that was grabbed in that plane, in the world.
-    from: DVec3,
-    target: Vec3,
+    /// Movement of the target: in the plane parallel to the picture, unless it is held along axes.
+    movement: Movement,
     off: f32,
     /// Joint and position of each pin at the start, in the character's space.
     pinned: Vec<(usize, Vec3)>,
@@ -47,28 +43,56 @@ impl IkDrag {
             IkGrip::Joint(_) if is_root => None,
             _ => Some(grip.chain(session, shape)?),
         };
-        let target = grip.place(session, shape)?;
-        let mut drag = Self {
+        let place = grip.place(session, shape)?.as_dvec3();
+        let across = MoveAlong::Plane(session.view().camera.forward());
+        Some(Self {
             shape,
             grip,
             chain,
             settings: settings.clone(),
             start: character.pose().clone(),
-            anchor: target.as_dvec3(),
-            normal: session.view().camera.forward().as_dvec3(),
-            from: DVec3::ZERO,
-            target,
+            movement: Movement::begin(place, across, ray)?,
             off: 0.0,
             pinned: pins_at(character.character.skeleton(), character.pose(), settings),
             lost: Vec::new(),
-        };
-        drag.from = drag.meeting(ray)?;
-        Some(drag)
+        })
     }
 
-    /// Edit that poses the character for the cursor on `ray`. `None` if there is no such pose.
-    pub fn update(&mut self, session: &Session, ray: &Ray) -> Option<Edit> {
-        let target = (self.anchor + self.meeting(ray)? - self.from).as_vec3();
+    /// The same drag along another line or plane, from where the grip was at the start.
+    pub fn constrained(&self, along: MoveAlong) -> Self {
+        Self {
+            movement: self.movement.constrained(along),
+            ..self.clone()
+        }
+    }
+
+    /// Edit that poses the character for the cursor on `ray`, with `snap` in steps of 0.1. `None` if there is no such
+    /// pose.
+    pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Option<Edit> {
+        let before = self.movement.clone();
+        self.movement.follow(ray, snap);
+        self.edit(session, before)
+    }
+
+    /// Edit that poses the character with the target moved by exactly this length from where the grip was at the start,
+    /// along the line or the first axis that it is held along. `None` if there is no such pose.
+    pub fn moved_by(&mut self, session: &Session, length: f64) -> Option<Edit> {
+        let before = self.movement.clone();
+        self.movement.move_by(length);
+        self.edit(session, before)
+    }
+
+    /// Edit for the movement so far; `None` if there is no such pose, and then the movement is as `before`.
+    fn edit(&mut self, session: &Session, before: Movement) -> Option<Edit> {
+        let edit = self.pose(session);
+        if edit.is_none() {
+            self.movement = before;
+        }
+        edit
+    }
+
+    fn pose(&mut self, session: &Session) -> Option<Edit> {
+        let target = self.target();
         let character = session.scene().character(self.shape)?;
         let skeleton = character.character.skeleton();
         let world_from_model = session.evaluated().shape(self.shape)?.world_from_model;
@@ -77,7 +101,6 @@ impl IkDrag {
             return None;
         }
         let pose = self.solve(skeleton, character.pose(), in_model)?;
-        self.target = target;
         Some(Edit::SetPose(self.shape, pose))
     }
 
@@ -98,7 +121,12 @@ impl IkDrag {
 
     /// Target of the grip, in the world.
     pub fn target(&self) -> Vec3 {
-        self.target
+        self.movement.place().as_vec3()
+    }
+
+    /// Line or plane along which the target moves.
+    pub fn along(&self) -> MoveAlong {
+        self.movement.along()
     }
 
     /// Distance of the grip from the target, in the character's space.
@@ -145,11 +173,6 @@ impl IkDrag {
         });
         self.lost = lost.map(|(was, _)| *was).collect();
         Some(held)
-    }
-
-    /// Point where the ray meets the plane, in the world.
-    fn meeting(&self, ray: &Ray) -> Option<DVec3> {
-        DRay::from(ray).meet_plane(self.anchor, self.normal)
     }
 }
 

@@ -14,6 +14,7 @@ mod ik_tool;
 mod limbs;
 mod messages;
 mod move_tool;
+mod movement;
 mod rotate_tool;
 mod selection;
 mod session;
@@ -34,7 +35,8 @@ pub use gizmo::{
 pub use ik_grip::IkGrip;
 pub use ik_tool::IkDrag;
 pub use messages::{Message, Messages, Severity};
-pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
+pub use move_tool::{MoveDrag, MoveTarget, root_of};
+pub use movement::MoveAlong;
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
 pub use selection::{
     BoxMode, duplicates, duplicates_in_place, for_all_in_view, for_all_selected, scene_of_selected,

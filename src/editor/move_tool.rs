@@ -1,16 +1,11 @@
 use super::control_point_drag::{cannot_leave_plane, plane_normal, rounding, without_rounding};
+use super::movement::{MoveAlong, Movement};
 use super::shape_group::pivot_of;
 use super::{Edit, Session};
 use crate::character::Pose;
-use crate::math::{DRay, Ray, Transform};
+use crate::math::{Ray, Transform};
 use crate::scene::ShapeId;
 use glam::{DMat3, DVec3, Vec3};
-
-/// Step of a movement that snaps, in the world.
-const SNAP: f64 = 0.1;
-
-/// Cosine of the angle to a plane's normal from which on an axis counts as being that normal.
-const ACROSS: f32 = 0.99;
 
 /// Target of a move gesture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,17 +35,6 @@ pub enum MoveTarget {
         /// Index of the point in the curve.
         point: usize,
     },
-}
-
-/// Constraint of a movement. Directions are in the world, of any length but zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum MoveAlong {
-    /// Along a line in this direction.
-    Line(Vec3),
-    /// In a plane with this normal.
-    Plane(Vec3),
-    /// In the plane of two axes that are perpendicular to each other.
-    Axes(Vec3, Vec3),
 }
 
 impl MoveTarget {
@@ -136,14 +120,7 @@ fn control_point(session: &Session, shape: ShapeId, curve: usize, point: usize) 
 pub struct MoveDrag {
     target: MoveTarget,
     start: Start,
-    /// Point of the line or plane, in the world.
-    anchor: DVec3,
-    along: MoveAlong,
-    /// The cursor at the start.
-    grabbed_by: Ray,
-    /// Point that was grabbed, in the world.
-    from: DVec3,
-    moved: DVec3,
+    movement: Movement,
 }
 
 #[derive(Clone, Debug)]
@@ -222,70 +199,31 @@ impl MoveDrag {
                 Start::point(session, shape, curve, point)?
             }
         };
-        let met = |&anchor: &DVec3| Some((anchor, meeting(ray, anchor, along)?));
-        let (anchor, from) = anchors.iter().find_map(met)?;
+        let begin = |&anchor: &DVec3| Movement::begin(anchor, along, ray);
         Some(Self {
             target,
             start,
-            anchor,
-            along,
-            grabbed_by: *ray,
-            from,
-            moved: DVec3::ZERO,
+            movement: anchors.iter().find_map(begin)?,
         })
     }
 
     /// The same drag from its start, along another line or plane.
     pub fn constrained(&self, along: MoveAlong) -> Self {
         Self {
-            along,
-            // A cursor that is parallel to it has grabbed the target itself.
-            from: meeting(&self.grabbed_by, self.anchor, along).unwrap_or(self.anchor),
-            moved: DVec3::ZERO,
+            movement: self.movement.constrained(along),
             ..self.clone()
         }
     }
 
-    /// Edit that moves the target for the cursor on `ray`; with `snap` in steps of 0.1 along the
-    /// line or the two axes, or else along the world's axes.
+    /// Edit that moves the target for the cursor on `ray`; with `snap` in steps.
     pub fn update(&mut self, ray: &Ray, snap: bool) -> Edit {
-        if let Some(to) = meeting(ray, self.anchor, self.along) {
-            self.moved = to - self.from;
-            let step = |length: f64| match snap {
-                true => (length / SNAP).round() * SNAP,
-                false => length,
-            };
-            self.moved = match self.along {
-                MoveAlong::Line(_) => {
-                    let length = self.moved.length();
-                    self.moved.normalize_or_zero() * step(length)
-                }
-                MoveAlong::Plane(_) => self.moved.map(step),
-                // Also without steps, so that what is perpendicular to both stays exactly.
-                MoveAlong::Axes(first, second) => {
-                    let axes = [first, second].map(|axis| axis.as_dvec3().normalize_or_zero());
-                    axes.map(|axis| axis * step(self.moved.dot(axis)))
-                        .iter()
-                        .sum()
-                }
-            };
-        }
+        self.movement.follow(ray, snap);
         self.edit()
     }
 
-    /// Edit that moves the target by exactly this length along the line or the first of the two
-    /// axes, wherever the cursor is; in a plane, along the first axis of the world that is not its
-    /// normal.
+    /// Edit that moves the target by exactly this length, wherever the cursor is.
     pub fn moved_by(&mut self, length: f64) -> Edit {
-        let direction = match self.along {
-            MoveAlong::Line(line) => line,
-            MoveAlong::Axes(first, _) => first,
-            MoveAlong::Plane(normal) => {
-                let is_across = |axis: &Vec3| axis.dot(normal.normalize_or_zero()).abs() < ACROSS;
-                Vec3::AXES.into_iter().find(is_across).unwrap_or(Vec3::X)
-            }
-        };
-        self.moved = direction.as_dvec3().normalize_or_zero() * length;
+        self.movement.move_by(length);
         self.edit()
     }
 
@@ -293,7 +231,7 @@ impl MoveDrag {
         match &self.start {
             Start::Shape(transform) => {
                 let mut transform = *transform;
-                transform.position += self.moved.as_vec3();
+                transform.position += self.movement.moved().as_vec3();
                 Edit::SetTransform(self.target.shape(), transform)
             }
             Start::Roots {
@@ -301,7 +239,7 @@ impl MoveDrag {
                 roots,
                 model_from_world,
             } => {
-                let offset = (*model_from_world * self.moved).as_vec3();
+                let offset = (*model_from_world * self.movement.moved()).as_vec3();
                 let mut pose = pose.clone();
                 for &root in roots {
                     pose.set_root_offset(root, pose.root_offset(root) + offset);
@@ -316,7 +254,7 @@ impl MoveDrag {
                 rounding,
                 stays_flat,
             } => {
-                let position = start + (model_from_world * self.moved).as_vec3();
+                let position = start + (model_from_world * self.movement.moved()).as_vec3();
                 let mut position = without_rounding(position, start, rounding);
                 if stays_flat {
                     position.z = start.z;
@@ -333,7 +271,7 @@ impl MoveDrag {
 
     /// Line or plane along which the target moves.
     pub fn along(&self) -> MoveAlong {
-        self.along
+        self.movement.along()
     }
 
     /// Target that is moved.
@@ -343,7 +281,7 @@ impl MoveDrag {
 
     /// Vector by which the target has moved, in the world.
     pub fn moved(&self) -> Vec3 {
-        self.moved.as_vec3()
+        self.movement.moved().as_vec3()
     }
 }
 
@@ -377,30 +315,4 @@ fn model_from_world(session: &Session, shape: ShapeId) -> Option<DMat3> {
     let world_from_model = session.evaluated().shape(shape)?.world_from_model;
     let model_from_world = DMat3::from_mat4(world_from_model.as_dmat4()).inverse();
     model_from_world.is_finite().then_some(model_from_world)
-}
-
-/// Sine of the angle at which a plane of two axes is seen, below which it is seen from its edge: the cursor's rays meet it
-/// far away, behind the eye or not at all.
-const FROM_ITS_EDGE: f64 = 0.15;
-
-/// Point where the ray meets the plane, or comes nearest to the line, through `anchor`. In a plane that is seen from its
-/// edge, the point below or above the one across the view.
-fn meeting(ray: &Ray, anchor: DVec3, along: MoveAlong) -> Option<DVec3> {
-    let ray = DRay::from(ray);
-    match along {
-        MoveAlong::Line(line) => {
-            let line = line.as_dvec3().try_normalize()?;
-            Some(anchor + line * ray.nearest_on_line(anchor, line)?)
-        }
-        MoveAlong::Plane(normal) => ray.meet_plane(anchor, normal.as_dvec3()),
-        MoveAlong::Axes(first, second) => {
-            let normal = first.as_dvec3().cross(second.as_dvec3()).try_normalize()?;
-            let sight = (anchor - ray.origin).try_normalize()?;
-            if sight.dot(normal).abs() >= FROM_ITS_EDGE {
-                return ray.meet_plane(anchor, normal);
-            }
-            let across = ray.meet_plane(anchor, sight)?;
-            Some(across - normal * (across - anchor).dot(normal))
-        }
-    }
 }

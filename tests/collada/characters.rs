@@ -331,7 +331,8 @@ fn a_mesh_that_no_weight_moves_is_told() {
     let [only] = &warnings[..] else {
         panic!("{warnings:?}");
     };
-    let told = "expected weights that are not 0, found none at 3 of 3 positions: these stay at rest";
+    let told =
+        "expected weights that are not 0, found none at 3 of 3 positions: these stay at rest";
     assert_eq!(only.message, told);
 }
 

@@ -158,3 +158,35 @@ fn the_guide_of_a_plane_has_both_of_its_axes() {
         assert_eq!(guides(&[(SHIFT, Key::Z)]), [x[0], y[0]]);
     }
 }
+
+#[test]
+fn with_the_ik_tool_g_leads_a_joint_and_its_chain_follows_freely_along_an_axis_or_by_a_number() {
+    const LEFT_KNEE: usize = 10;
+    const LEFT_FOOT: usize = 11;
+    let mut editor = Editor::with_hands(Key::I);
+    let state = &mut editor.harness.state_mut().state;
+    state.set_navigation(Navigation::Blender);
+    editor.view(View::SelectJoint(Some(LEFT_FOOT)));
+    let foot = |editor: &Editor| editor.bone(LEFT_KNEE).1;
+    let start = foot(&editor);
+    let at = editor.place(start);
+    editor.point(at);
+    editor.keys(&[(Modifiers::NONE, Key::G)]);
+    let to = at + egui::vec2(20.0, -40.0);
+    editor.point(to);
+    assert!((editor.place(foot(&editor)) - to).length() < 0.5);
+    // Along the height alone, and then exactly so far.
+    editor.keys(&[(Modifiers::NONE, Key::Y)]);
+    let up = foot(&editor) - start;
+    assert!(
+        up.y > 0.02 && up.x.abs() < 1e-3 && up.z.abs() < 1e-3,
+        "{up}"
+    );
+    editor.harness.event(egui::Event::Text(".1".to_owned()));
+    editor.settle();
+    editor.keys(&[(Modifiers::NONE, Key::Enter)]);
+    let up = foot(&editor) - start;
+    assert!(up.abs_diff_eq(Vec3::Y * 0.1, 1e-3), "{up}");
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    assert!(foot(&editor).abs_diff_eq(start, 1e-5), "it was one step");
+}

@@ -76,7 +76,7 @@ fn a_pin_that_is_dragged_itself_is_not_lost_and_one_that_is_left_behind_is() {
         let root = IkGrip::Joint(0);
         let mut held = IkDrag::begin(session, id, root, &ray).expect("a root");
         let far = session.view().camera.ray(middle + Vec2::X * 300.0, SIZE);
-        let edit = held.update(session, &far).expect("it follows");
+        let edit = held.update(session, &far, false).expect("it follows");
         session.begin_gesture();
         session.edit(edit).unwrap();
         let lost: Vec<usize> = held.lost_pins().iter().map(|(joint, _)| *joint).collect();
@@ -97,7 +97,7 @@ fn only_a_root_moves_and_every_pole_is_a_direction_of_its_own() {
         drag(&mut session, id, IkGrip::Joint(3), middle, 2).expect("a root can be moved");
     assert!(held.chain().is_none());
     let ray = session.view().camera.ray(middle + Vec2::X * 30.0, SIZE);
-    let edit = held.update(&session, &ray).expect("it follows");
+    let edit = held.update(&session, &ray, false).expect("it follows");
     session.edit(edit).unwrap();
     let pose = session.scene().character(id).expect("it is there").pose();
     assert!(pose.root_offset(3).length() > 0.01);
@@ -148,7 +148,7 @@ proptest! {
         session.begin_gesture();
         for by in moves {
             let cursor = from + Vec2::from(by);
-            let Some(edit) = held.update(&session, &camera.ray(cursor, SIZE)) else {
+            let Some(edit) = held.update(&session, &camera.ray(cursor, SIZE), false) else {
                 continue;
             };
             session.edit(edit).unwrap();

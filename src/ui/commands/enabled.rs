@@ -124,7 +124,7 @@ fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'sta
     let joint = session.selected_joint();
     let joint = joint.filter(|_| matches!(tool, Tool::Pose | Tool::Ik))?;
     match does {
-        Tool::Move if root_of(session, id, joint) != Some(joint) => Some(
+        Tool::Move if tool == Tool::Pose && root_of(session, id, joint) != Some(joint) => Some(
             "Only the root moves: a bone turns (R). With no joint selected (Esc), G moves the character",
         ),
         Tool::Scale => {

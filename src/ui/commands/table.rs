@@ -302,7 +302,7 @@ pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
 
 /// What the key of `command` does at the moment: with the Pose and IK tools, Delete puts the selected joint back to
 /// rest, rather than deleting all that hangs together with it, and with any tool that takes bones, Alt+R in
-/// Blender's navigation does. There, G turns a bone that hangs on another one, as it does in Blender.
+/// Blender's navigation does. There, with the Pose tool G turns a bone that hangs on another one, as it does in Blender.
 pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
     let has_joint = session.selected_joint().is_some();
     let hangs = |(shape, joint)| root_of(session, shape, joint) != Some(joint);
@@ -312,7 +312,7 @@ pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> C
         }
         Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetJoint,
         Command::Begin(Tool::Move)
-            if matches!(tool, Tool::Pose | Tool::Ik)
+            if tool == Tool::Pose
                 && (session.selected().zip(session.selected_joint())).is_some_and(hangs) =>
         {
             Command::Begin(Tool::Rotate)

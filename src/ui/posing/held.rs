@@ -109,7 +109,7 @@ impl Held {
 
     /// Whether it snaps to steps while Ctrl is held, and takes numbers and axes that are typed.
     pub(super) fn snaps(&self) -> bool {
-        !matches!(self.drag, Drag::Ik(_) | Drag::Stuck(..))
+        !matches!(self.drag, Drag::Stuck(..))
     }
 
     /// The drag of the IK tool; `None` for everything else.
@@ -150,8 +150,12 @@ impl Held {
                 Some((axis, own, drag.group().pivot()))
             }
             Drag::Move(drag) if constraint.axes().any(|free| free == axis) => {
-                let direction = move_axis(session, drag.target(), axes, axis)?;
+                let direction = move_axis(session, drag.target().shape(), axes, axis)?;
                 Some((axis, direction, drag.target().place(session)?))
+            }
+            Drag::Ik(drag) if constraint.axes().any(|free| free == axis) => {
+                let direction = move_axis(session, drag.shape(), axes, axis)?;
+                Some((axis, direction, drag.target()))
             }
             _ => None,
         };
@@ -180,6 +184,12 @@ impl Held {
                 format!("{about}{:+.1}°", tenths + 0.0)
             }
         };
+        // A number goes along the first axis of a plane.
+        let along = |constraint: Option<Constraint>| {
+            constraint
+                .and_then(|along| along.axes().next())
+                .map_or("", letter)
+        };
         match &self.drag {
             Drag::Bone(drag) => turned(drag.angle()),
             Drag::Ring(drag) => turned(drag.angle()),
@@ -193,17 +203,20 @@ impl Held {
                 }
             }
             Drag::Move(drag) => match typed {
-                Some(typed) => {
-                    // A number goes along the first axis of a plane.
-                    let along = constraint.and_then(|along| along.axes().next());
-                    format!("{}{typed}", along.map_or("", letter))
-                }
+                Some(typed) => format!("{}{typed}", along(constraint)),
                 None => {
                     let by = drag.moved();
                     format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
                 }
             },
-            Drag::Ik(drag) => ik_readout(drag),
+            Drag::Ik(drag) => match typed {
+                Some(typed) => [format!("{}{typed}", along(constraint))]
+                    .into_iter()
+                    .chain(ik_trouble(drag))
+                    .collect::<Vec<_>>()
+                    .join("; "),
+                None => ik_readout(drag),
+            },
             Drag::Stuck(..) => "a pin holds it".to_owned(),
         }
     }
@@ -231,7 +244,8 @@ impl Held {
     }
 }
 
-fn ik_readout(drag: &IkDrag) -> String {
+/// What is amiss in a drag with the IK tool.
+fn ik_trouble(drag: &IkDrag) -> Option<String> {
     let missed = drag.off() > IkDrag::OUT_OF_REACH;
     let missed = missed.then(|| format!("out of reach by {:.2}", drag.off()));
     let lost = match drag.lost_pins().len() {
@@ -240,9 +254,14 @@ fn ik_readout(drag: &IkDrag) -> String {
         lost => Some(format!("{lost} pins are out of reach")),
     };
     match (missed, lost) {
-        (Some(missed), Some(lost)) => return format!("{missed}; {lost}"),
-        (Some(said), None) | (None, Some(said)) => return said,
-        (None, None) => {}
+        (Some(missed), Some(lost)) => Some(format!("{missed}; {lost}")),
+        (missed, lost) => missed.or(lost),
+    }
+}
+
+fn ik_readout(drag: &IkDrag) -> String {
+    if let Some(trouble) = ik_trouble(drag) {
+        return trouble;
     }
     match drag.chain().map(|chain| chain.joints().len()) {
         Some(1) => "1 joint follows".to_owned(),
@@ -251,14 +270,28 @@ fn ik_readout(drag: &IkDrag) -> String {
     }
 }
 
-/// Direction in the world of an axis along which a target moves.
-fn move_axis(session: &Session, target: MoveTarget, axes: GizmoAxes, axis: usize) -> Option<Vec3> {
-    let shape = session.scene().shape(target.shape())?;
+/// Direction in the world of an axis along which a shape or what is in it moves.
+fn move_axis(session: &Session, shape: ShapeId, axes: GizmoAxes, axis: usize) -> Option<Vec3> {
+    let shape = session.scene().shape(shape)?;
     let own = shape.placement.transform.rotation.to_mat3();
     Some(match axes {
         GizmoAxes::World => Vec3::AXES[axis],
         GizmoAxes::Local => own.col(axis),
     })
+}
+
+/// Line or plane along which a shape or what is in it moves.
+fn move_along(
+    session: &Session,
+    shape: ShapeId,
+    constraint: Constraint,
+    axes: GizmoAxes,
+) -> Option<MoveAlong> {
+    let mut free = constraint.axes();
+    let mut next = || move_axis(session, shape, axes, free.next()?);
+    let first = next()?;
+    let plane = next().map(|second| MoveAlong::Axes(first, second));
+    Some(plane.unwrap_or(MoveAlong::Line(first)))
 }
 
 impl Drag {
@@ -279,12 +312,7 @@ impl Drag {
             Self::Bone(drag) => ring(drag.turn()),
             Self::Ring(drag) => ring(drag.turn()),
             Self::Move(drag) => {
-                let mut free = constraint.axes();
-                let mut next = || move_axis(session, drag.target(), axes, free.next()?);
-                let first = next()?;
-                let along = next().map_or(MoveAlong::Line(first), |second| {
-                    MoveAlong::Axes(first, second)
-                });
+                let along = move_along(session, drag.target().shape(), constraint, axes)?;
                 Some(Drag::Move(drag.constrained(along)))
             }
             Self::Turn(drag) => {
@@ -293,7 +321,11 @@ impl Drag {
                 ShapeTurn::in_front(group, about, pointer).map(Drag::Turn)
             }
             Self::Scale(drag) => Some(Drag::Scale(drag.along(Some(constraint)))),
-            Self::Ik(_) | Self::Stuck(..) => None,
+            Self::Ik(drag) => {
+                let along = move_along(session, drag.shape(), constraint, axes)?;
+                Some(Drag::Ik(drag.constrained(along)))
+            }
+            Self::Stuck(..) => None,
         }
     }
 
@@ -302,6 +334,7 @@ impl Drag {
         match (self, other) {
             (Self::Ring(one), Self::Ring(other)) => one.axis() == other.axis(),
             (Self::Move(one), Self::Move(other)) => one.along() == other.along(),
+            (Self::Ik(one), Self::Ik(other)) => one.along() == other.along(),
             (Self::Turn(one), Self::Turn(other)) => one.axis() == other.axis(),
             (Self::Scale(one), Self::Scale(other)) => one.constraint() == other.constraint(),
             _ => std::mem::discriminant(self) == std::mem::discriminant(other),
@@ -341,7 +374,10 @@ impl Follow for Held {
                 Some(factor) => drag.scaled_by(factor),
                 None => drag.update(&ray, snap),
             }),
-            Drag::Ik(drag) => drag.update(session, &ray),
+            Drag::Ik(drag) => match typed {
+                Some(length) => drag.moved_by(session, length),
+                None => drag.update(session, &ray, snap),
+            },
             Drag::Stuck(..) => None,
         };
         edit.filter(|_| self.has_begun)

@@ -55,10 +55,18 @@ fn with_pins(session: &Session) -> impl Iterator<Item = ShapeId> {
 
 /// Begins a drag of the grip on a bone with the pointer on `ray`.
 pub(super) fn take(session: &Session, hit: &BoneHit, screen: &Screen, ray: &Ray) -> Option<Drag> {
-    let grip = IkGrip::of(session, hit, screen)?;
-    let drag = IkDrag::begin(session, hit.shape, grip, ray);
-    let stuck = Drag::Stuck(hit.shape, grip.joint());
-    Some(drag.map_or(stuck, Drag::Ik))
+    Some(lead(
+        session,
+        hit.shape,
+        IkGrip::of(session, hit, screen)?,
+        ray,
+    ))
+}
+
+/// Begins a drag of a grip with the pointer on `ray`.
+pub(super) fn lead(session: &Session, shape: ShapeId, grip: IkGrip, ray: &Ray) -> Drag {
+    let drag = IkDrag::begin(session, shape, grip, ray);
+    drag.map_or(Drag::Stuck(shape, grip.joint()), Drag::Ik)
 }
 
 /// The joint that is pinned or unpinned: the hovered one, or else the selected one.

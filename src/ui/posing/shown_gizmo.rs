@@ -1,10 +1,10 @@
 //! The gizmo of the chosen tool for the selection.
 
-use super::PoseState;
 use super::held::{Drag, Held};
+use super::{PoseState, ik};
 use crate::editor::{
-    BoneDrag, GizmoHit, Handle, MoveDrag, MoveGizmo, MoveTarget, RingDrag, RotationGizmo, ScaleBy,
-    ScaleGizmo, Session, ShapeGroup, ShapeScale, ShapeTurn, Tool, root_of,
+    BoneDrag, GizmoHit, Handle, IkGrip, MoveDrag, MoveGizmo, MoveTarget, RingDrag, RotationGizmo,
+    ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale, ShapeTurn, Tool, root_of,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
@@ -160,7 +160,7 @@ fn scale_shapes(session: &Session, place: Place, handle: Handle, ray: &Ray) -> O
 
 /// Begins what a tool does to the selection with the pointer anywhere, which then moves it without
 /// a button: the control point that was clicked last, of a curve of the active shape, is moved; the
-/// selected joint is turned or its root moved where the tool for bones is chosen; else the shapes are
+/// selected joint is turned, led by inverse kinematics or its root moved where the tool for bones is chosen; else the shapes are
 /// moved, turned or scaled.
 pub(super) fn begin_by_key(
     session: &Session,
@@ -176,6 +176,14 @@ pub(super) fn begin_by_key(
         .selected_joint()
         .filter(|_| state.tool.takes_bones());
     let drag = match (does, joint) {
+        (Tool::Move, Some(joint)) if state.tool == Tool::Ik && point.is_none() => {
+            let screen = place.screen(session);
+            // The end that was clicked last, or else the joint.
+            let clicked = state.taken.filter(|hit| hit.shape == shape);
+            let clicked = clicked.and_then(|hit| IkGrip::of(session, &hit, &screen));
+            let grip = clicked.filter(|grip| grip.joint() == joint);
+            ik::lead(session, shape, grip.unwrap_or(IkGrip::Joint(joint)), &ray)
+        }
         (Tool::Move, _) => {
             let target = match (joint, point) {
                 (_, Some((shape, curve, point))) => MoveTarget::ControlPoint {
