@@ -4,7 +4,7 @@ use super::key_commands::is_there;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::{named, tip_beside};
-use super::{Action, Ask, ViewInput, commands};
+use super::{Action, Ask, ViewInput, commands, menu_keys};
 use crate::editor::Session;
 use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig, menu_style};
@@ -49,6 +49,7 @@ pub(super) fn show(
         is_marked: false,
         actions,
     };
+    menu_keys::begin(root.ctx());
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 2));
     Panel::top("menu bar").frame(frame).show(root, |ui| {
         let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClick);
@@ -66,6 +67,7 @@ pub(super) fn show(
             let titles = menus.iter().map(|menu| menu.rect);
             items.state.menu_titles = titles.fold(Rect::NOTHING, Rect::union);
             follow_pointer(ui.ctx(), &menus);
+            follow_keys(ui.ctx(), &menus);
             title(ui, items.input.title);
         });
     });
@@ -85,19 +87,29 @@ fn follow_pointer(ctx: &Context, menus: &[Response]) {
     }
 }
 
+/// Opens the menu beside the open one where keys go along the bar.
+fn follow_keys(ctx: &Context, menus: &[Response]) {
+    let Some(by) = menu_keys::along_bar(ctx) else {
+        return;
+    };
+    let is_open = |menu: &Response| Popup::is_id_open(ctx, Popup::default_response_id(menu));
+    if let Some(open) = menus.iter().position(is_open) {
+        let next = (open as isize + by).rem_euclid(menus.len() as isize) as usize;
+        Popup::open_id(ctx, Popup::default_response_id(&menus[next]));
+        menu_keys::enter_next(ctx);
+    }
+}
+
 /// The menu Insert where the pointer was when the command asked for it, while it is open. Its first item
-/// has the keyboard then, since a key opened it: arrow keys and Return choose. The pointer takes over once it moves
-/// in the menu, so that only one item is lit.
+/// has the keyboard then, since a key opened it: arrow keys and Return choose.
 fn insert_at_pointer(root: &Ui, items: &mut Items) {
     let opens = std::mem::take(&mut items.state.opens_insert_menu);
     let pointer = PopupAnchor::PointerFixed;
+    if opens {
+        menu_keys::enter_next(root.ctx());
+    }
     popup_menu(root, ("insert at pointer", pointer), opens, |ui| {
-        let moves = ui.input(|input| input.pointer.delta() != Vec2::ZERO);
-        items.insertable(ui, opens);
-        if moves && !opens && ui.rect_contains_pointer(ui.min_rect()) {
-            // By its name only from text, but it takes the focus from any item.
-            ui.memory_mut(|memory| memory.stop_text_input());
-        }
+        items.insertable(ui);
     });
 }
 
@@ -202,15 +214,11 @@ impl Items<'_> {
         self.insertable_besides(ui);
     }
 
-    /// Everything that can be inserted, without the command that shows this menu elsewhere. The first item
-    /// takes the keyboard if the menu `opens`.
-    fn insertable(&mut self, ui: &mut Ui, opens: bool) {
+    /// Everything that can be inserted, without the command that shows this menu elsewhere.
+    fn insertable(&mut self, ui: &mut Ui) {
         let is_shape = |entry: &&Entry| entry.command != Command::InsertMenu;
-        for (index, entry) in commands::entries(Menu::Insert).filter(is_shape).enumerate() {
-            let item = self.item(ui, entry);
-            if opens && index == 0 {
-                item.request_focus();
-            }
+        for entry in commands::entries(Menu::Insert).filter(is_shape) {
+            self.item(ui, entry);
         }
         self.insertable_besides(ui);
     }
@@ -267,8 +275,9 @@ impl Items<'_> {
 
     /// A submenu beside switches, in line with their words.
     fn choices(&mut self, ui: &mut Ui, label: &str, menu: Menu) {
-        let button = ui.menu_button(format!("{NO_MARK}{label}"), |ui| self.all(ui, menu));
-        named(button.response, label);
+        let label_in_line = format!("{NO_MARK}{label}");
+        let button = menu_keys::submenu(ui, &label_in_line, |ui| self.all(ui, menu));
+        named(button, label);
     }
 
     fn pose(&mut self, ui: &mut Ui) {
@@ -372,9 +381,10 @@ impl Items<'_> {
     }
 }
 
-/// Whether an item is chosen, which closes its menu: by itself it closes for the pointer alone, not for
+/// Whether an item is chosen, of which arrow keys take note, and which closes its menu: by itself it closes for the pointer alone, not for
 /// Return.
 fn is_chosen(ui: &Ui, item: &Response) -> bool {
+    menu_keys::item(item);
     let is_chosen = item.clicked();
     if is_chosen {
         ui.close();
@@ -384,6 +394,7 @@ fn is_chosen(ui: &Ui, item: &Response) -> bool {
 
 /// The items of a menu, which scroll if the window is too low for them.
 fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
+    let items = |ui: &mut Ui| menu_keys::level(ui, None, items);
     let row = ui.spacing().interact_size.y;
     let room = ui.ctx().content_rect().height() - MARGINS - row;
     if room > HIGHEST * (row + ui.spacing().item_spacing.y) {
@@ -397,6 +408,6 @@ fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
 
 /// A submenu, whose name for assistive technology is without the arrow.
 fn submenu(ui: &mut Ui, label: &str, contents: impl FnOnce(&mut Ui)) {
-    let button = ui.menu_button(label, contents).response;
+    let button = menu_keys::submenu(ui, label, contents);
     named(button, label);
 }

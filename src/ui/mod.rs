@@ -31,6 +31,7 @@ mod key_commands;
 mod look_switch;
 mod machine;
 mod menu_bar;
+mod menu_keys;
 mod mesh_colors;
 mod messages;
 mod method_view;

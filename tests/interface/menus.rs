@@ -553,3 +553,51 @@ fn a_turntable_says_why_it_cannot_be_transparent() {
     let painted = editor.painted();
     assert!(painted.iter().any(|(text, _)| text == why), "{painted:?}");
 }
+
+#[test]
+fn arrow_keys_stay_in_a_menu_go_around_and_into_its_submenus_and_change_nothing_else() {
+    let mut editor = Editor::with_figure();
+    let figure = editor.session().scene().clone();
+    editor.harness.hover_at(egui::pos2(200.0, 300.0));
+    let focused = |editor: &Editor| {
+        let node = editor.harness.root().children_recursive();
+        let mut focused = node.filter(|node| node.is_focused());
+        focused.next().and_then(|node| node.accesskit_node().label())
+    };
+    editor.key_with(Modifiers::SHIFT, Key::A);
+    assert_eq!(focused(&editor).as_deref(), Some("Cube"));
+    editor.key(Key::ArrowUp);
+    assert_eq!(focused(&editor).as_deref(), Some("Import"), "around");
+    editor.key(Key::ArrowRight);
+    assert_eq!(focused(&editor).as_deref(), Some("Import Shape…"));
+    editor.key(Key::ArrowDown);
+    assert_eq!(focused(&editor).as_deref(), Some("Import Curve…"));
+    editor.key(Key::ArrowLeft);
+    assert_eq!(focused(&editor).as_deref(), Some("Import"));
+    assert!(!editor.has("Import Curve…"), "the submenu is closed");
+    editor.key(Key::Enter);
+    assert_eq!(focused(&editor).as_deref(), Some("Import Shape…"));
+    editor.key(Key::ArrowLeft);
+    for _ in 0..3 {
+        editor.key(Key::ArrowLeft);
+        editor.key(Key::ArrowRight);
+        editor.key(Key::ArrowDown);
+    }
+    editor.key(Key::Escape);
+    assert!(!editor.has("Import") && !editor.has("Import Curve…"));
+    assert_eq!(editor.session().scene(), &figure, "no number has changed");
+}
+
+#[test]
+fn arrow_keys_go_along_the_menu_bar() {
+    let mut editor = Editor::new();
+    editor.click("Edit");
+    editor.key(Key::ArrowDown);
+    editor.key(Key::ArrowRight);
+    assert!(editor.has("Cube") && !editor.has("Select All"), "Insert");
+    editor.key(Key::ArrowLeft);
+    editor.key(Key::ArrowLeft);
+    assert!(editor.has("New") && !editor.has("Cube"), "File");
+    editor.key(Key::ArrowLeft);
+    assert!(editor.has("Keys and Mouse"), "around to Help");
+}
