@@ -19,7 +19,7 @@ pub(super) const GESTURES: &[Gesture] = &[
     gesture("Pose: drag a bone", "Turn it"),
     gesture("Pose: tap a bone", "Show rings that turn it"),
     gesture("Drag a number", "Change it"),
-    gesture("Tap a number", "Type a value or a sum such as 45/2"),
+    gesture("Tap a number", "Type a value or an expression such as 45/2"),
     gesture("Long press", "The right button: a menu, a number at rest"),
 ];
 

@@ -186,6 +186,8 @@ const WHY_NOTHING: &str = "This key does nothing in this navigation: the Virtual
 /// For those who want Blender's 5, which switches it.
 const WHERE_SHADING_IS: &str =
     "Shading, colors and looks are chosen in View, looks also beside the axes";
+const NOTHING_REPEATS: &str =
+    "Nothing repeats what was done last. Edit ⏵ Reset puts a shape back to the start";
 const NO_ORTHOGRAPHIC: &str = "The camera is always in perspective: there is no orthographic view";
 
 impl Navigation {
@@ -209,21 +211,24 @@ impl Navigation {
     /// Why a key that was pressed in this frame, and that nothing has used, does nothing, though it does in the
     /// Virtual Mannequin, if the view has its look, or in Blender; `None` if there is none.
     pub(super) fn why_nothing(self, ctx: &Context, look: Look) -> Option<&'static str> {
-        let is_one = |event: &Event, keys: &[Key]| match event {
+        let is_one = |event: &Event, with: Modifiers, keys: &[Key]| match event {
             Event::Key {
                 key,
                 pressed: true,
                 repeat: false,
                 modifiers,
                 ..
-            } => modifiers.is_none() && keys.contains(key),
+            } => modifiers.matches_exact(with) && keys.contains(key),
             _ => false,
         };
-        let is_pressed =
-            |keys: &[Key]| ctx.input(|input| input.events.iter().any(|event| is_one(event, keys)));
+        let is_pressed_with = |with: Modifiers, keys: &[Key]| {
+            ctx.input(|input| input.events.iter().any(|event| is_one(event, with, keys)))
+        };
+        let is_pressed = |keys: &[Key]| is_pressed_with(Modifiers::NONE, keys);
         match self {
             Self::Mannequin => None,
             Self::Blender if is_pressed(&[Key::Num5]) => Some(NO_ORTHOGRAPHIC),
+            Self::Blender if is_pressed_with(Modifiers::SHIFT, &[Key::R]) => Some(NOTHING_REPEATS),
             Self::Blender if is_pressed(&[Key::Z]) => Some(WHERE_SHADING_IS),
             _ if look == Look::Mannequin && is_pressed(OF_THE_MANNEQUIN) => Some(WHY_NOTHING),
             _ => None,

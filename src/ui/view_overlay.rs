@@ -179,7 +179,8 @@ pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
 
 /// Height at the top of the view that the tool bar takes, in points.
 fn below_tools(state: &UiState) -> f32 {
-    tool_rows(state) * BAR_HEIGHT + 8.0
+    let usual = tool_rows(state) * BAR_HEIGHT;
+    usual.max(state.pose.bar_bottom) + 8.0
 }
 
 /// Rows of the tool bar.

@@ -562,7 +562,9 @@ fn arrow_keys_stay_in_a_menu_go_around_and_into_its_submenus_and_change_nothing_
     let focused = |editor: &Editor| {
         let node = editor.harness.root().children_recursive();
         let mut focused = node.filter(|node| node.is_focused());
-        focused.next().and_then(|node| node.accesskit_node().label())
+        focused
+            .next()
+            .and_then(|node| node.accesskit_node().label())
     };
     editor.key_with(Modifiers::SHIFT, Key::A);
     assert_eq!(focused(&editor).as_deref(), Some("Cube"));

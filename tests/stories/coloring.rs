@@ -63,6 +63,23 @@ fn the_selected_joints_weight_colors_the_mesh_and_follows_the_selection() {
 }
 
 #[test]
+fn the_legend_is_below_the_tools_where_these_have_two_rows() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.size = (700, 600);
+    story.key(egui::Key::B);
+    story.choose_colors("Number of Influences");
+    let legend = story.text_place("Joints that move a vertex");
+    assert!(
+        story.place("Local Axes").y > story.place("Pose Tool").y + 12.0,
+        "two rows"
+    );
+    assert!(
+        legend.top() > story.place("Local Axes").y + 12.0,
+        "{legend}"
+    );
+}
+
+#[test]
 fn the_legend_is_below_what_says_that_the_character_is_shown_wrong() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.choose_colors("Weight of the Selected Joint");

@@ -62,7 +62,10 @@ pub const GESTURES: &[Gesture] = &[
         "Drag a number",
         "Change it; Shift is finer, Ctrl is coarser",
     ),
-    gesture("Click a number", "Type a value or a sum such as 45/2"),
+    gesture(
+        "Click a number",
+        "Type a value or an expression such as 45/2",
+    ),
     gesture("Right click a number", "Put it back to where it started"),
     gesture("Double click in the list", "Type a new name for the shape"),
     gesture("Drag in the list", "Move the shape to another place in it"),

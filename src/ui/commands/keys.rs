@@ -33,6 +33,10 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     ),
 ];
 
+/// Shortcuts that mean something else in Blender, which is not there: Shift+R repeats what was done last, and would put
+/// everything back.
+const OTHERWISE_IN_BLENDER: [KeyboardShortcut; 1] = [KeyboardShortcut::new(SHIFT, Key::R)];
+
 /// Shortcuts that are the browser's on a page: those for its windows and tabs, and the one that reloads.
 const KEPT_BY_BROWSERS: [KeyboardShortcut; 6] = [
     KeyboardShortcut::new(NONE, Key::F5),
@@ -61,6 +65,11 @@ impl Entry {
         };
         let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
             Some(only) => only != navigation,
+            None if navigation == Navigation::Blender
+                && OTHERWISE_IN_BLENDER.contains(shortcut) =>
+            {
+                true
+            }
             None => {
                 let others = COMMANDS.iter();
                 let mut others = others.filter(|other| other.only_in == Some(navigation));
@@ -263,6 +272,9 @@ mod tests {
         assert_eq!(command(NONE, Key::Period), Some(Command::Fit));
         assert_eq!(command(NONE, Key::F3), Some(Command::FindCommand));
         assert_eq!(command(NONE, Key::B), Some(Command::BoxSelect));
+        assert_eq!(command(SHIFT, Key::R), None, "nothing is repeated");
+        let reset = command_of(SHIFT, Key::R, Navigation::Orbit);
+        assert_eq!(reset, Some(Command::Reset));
         let poses = Some(Command::SetTool(Tool::Pose));
         assert_eq!(command(CTRL, Key::Tab), poses);
         assert_eq!(command(NONE, Key::J), poses);

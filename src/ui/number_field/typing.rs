@@ -162,7 +162,7 @@ fn note_wrong(ui: &Ui, typed: &Typed) {
 /// Why a field that was left since the last call has its old number, if what was typed into it is none.
 pub(in crate::ui) fn take_wrong(ctx: &Context) -> Option<&'static str> {
     let wrong: Option<bool> = ctx.data_mut(|data| data.remove_temp(Id::new(WRONG)));
-    wrong.map(|_| "What was typed is no number, and nothing was changed: a value or a sum such as 45/2 is one")
+    wrong.map(|_| "What was typed is no number, and nothing was changed: a value or an expression such as 45/2 is one")
 }
 
 /// Whether the keyboard belongs to a number field into which nothing has been typed yet.

@@ -54,6 +54,9 @@ pub(super) struct PoseState {
     /// A joint that was selected by turning its bone. Its gizmo is hidden until the joint is
     /// clicked: it would be in the way of the next turn.
     pub without_gizmo: Option<(ShapeId, usize)>,
+    /// Lower edge of the tool bar in the last frame, in points below the view's upper one: where it is narrow, its buttons
+    /// are in several rows.
+    pub bar_bottom: f32,
     /// The handle of a gizmo under the pointer in the last frame, while nothing is dragged.
     pub hot: Option<Handle>,
 }

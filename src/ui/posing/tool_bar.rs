@@ -55,7 +55,7 @@ pub(super) fn show(
         .fill(fill)
         .corner_radius(4)
         .inner_margin(Margin::same(2));
-    frame.show(&mut inner, |ui| {
+    let bar = frame.show(&mut inner, |ui| {
         let has_words = width_with_words(ui) <= room;
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
@@ -79,6 +79,7 @@ pub(super) fn show(
             ik_settings(ui, room, session, actions);
         }
     });
+    state.bar_bottom = bar.response.rect.bottom() - view.top();
 }
 
 /// Width of the bar in points if all of it has words. It is the same for all tools, so that buttons
