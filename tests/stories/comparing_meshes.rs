@@ -646,13 +646,58 @@ fn a_mesh_of_another_pose_is_said_to_be_one_and_its_pose_taken_by_one_click() {
             .iter()
             .any(|text| text.starts_with("No known mistake"))
     );
+    let has = |story: &Story, words: &str| texts(story).iter().any(|text| text.contains(words));
     story.click("Take Its Pose");
+    assert!(!has(&story, "share a turn"), "no two are in one place");
     diagnose(&mut story);
     text(&story, "Right: this is the exact result");
     assert!(!story.has("Take Its Pose"));
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(story.has("Take Its Pose"));
+}
+
+#[test]
+fn a_pose_that_is_taken_is_said_to_be_one_of_several_where_joints_are_in_one_place() {
+    let mut host = MemoryHost {
+        stored: [started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let vertices = (0..40).map(|at| {
+        let [x, y, z] = [7, 11, 13].map(|step| (at * step % 41) as f32 / 41.0);
+        format!("v {x} {} {z}\n", 2.0 * y)
+    });
+    let weights = (0..40).map(|at| if at % 2 == 0 { "1 0\n" } else { "0.2 0.8\n" });
+    // The base is where the root is, which moves no vertex by itself.
+    for (path, text) in [
+        (
+            "body.obj",
+            vertices.chain(["f 1 2 3\n".to_owned()]).collect(),
+        ),
+        ("body.attach", weights.collect()),
+        (
+            "body.skel",
+            "0 0 0 -1 # Root\n0 0 0 0 # Base\n0 1 0 1 # Tip\n".to_owned(),
+        ),
+    ] {
+        let text: String = text;
+        host.files.insert(path.into(), text.into());
+    }
+    let mut story = Story::start_at(host, &["body.obj"]);
+    for (field, degrees) in [("Base X", "20"), ("Base Y", "30"), ("Tip Z", "50")] {
+        story.type_into(field, degrees);
+    }
+    let session = story.session();
+    let posed = export_obj(session.scene(), session.evaluated()).expect("a mesh");
+    story.type_into("Base Y", "0");
+    story.type_into("Tip Z", "0");
+    story.type_into("Tip X", "40");
+    compare_with(&mut story, posed.into_bytes());
+    diagnose(&mut story);
+    let has = |story: &Story, words: &str| texts(story).iter().any(|text| text.contains(words));
+    assert!(has(&story, ", or others that give the same"));
+    story.click("Take Its Pose");
+    assert!(has(&story, "share a turn, and this mesh does not tell how"));
 }
 
 #[test]

@@ -80,6 +80,10 @@ pub(in crate::ui) fn show(
     chosen
 }
 
+/// Said once a pose is taken that others may be as well.
+const SHARED_TURN: &str = "Joints in one place share a turn, and this mesh does not tell how. Another mesh may: for that, \
+                           load the file of the pose, if there is one";
+
 impl Parts<'_> {
     fn header(&mut self, ui: &mut Ui) {
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
@@ -344,6 +348,9 @@ impl Parts<'_> {
             if button.on_hover_text(tip).clicked() {
                 let edit = Edit::SetPose(self.compare.shape, other.pose.clone());
                 self.actions.push(Action::Edit(edit));
+                if other.joints.iter().any(|joint| joint.is_ambiguous) {
+                    self.actions.push(Action::View(View::Tell(SHARED_TURN)));
+                }
             }
             self.load_pose(ui);
         });
