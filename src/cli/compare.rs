@@ -8,9 +8,12 @@ use crate::compare::{
     Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
 use crate::disk::{self, as_given, files};
-use crate::geometry::Picture;
+use crate::geometry::{Mesh, Picture};
 use crate::io::image;
-use crate::io::{Diagnostic, Files, builtin, import_any, is_character, read_posed_obj};
+use crate::io::{
+    Diagnostic, Files, builtin, extension, import_any, is_character, read_character_obj,
+    read_posed_vertices,
+};
 use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
@@ -26,7 +29,8 @@ pub struct Args {
     /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj)
     #[arg(value_name = "A")]
     a: PathBuf,
-    /// The picture or mesh that is compared with it; A or B may be - for standard input
+    /// The picture or mesh (.obj, or .txt) that is compared with it, of which the vertices (v lines) are enough; A or B
+    /// may be - for standard input
     #[arg(value_name = "B")]
     b: PathBuf,
     /// Largest difference that is ignored: for pictures of a channel, 0 to 255 [0]; for meshes a
@@ -147,11 +151,11 @@ pub(super) fn picture_or_mesh(path: &Path, bytes: &[u8]) -> Result<Picture, Diag
     Err(Diagnostic::new(path, message))
 }
 
-fn is_mesh(path: &Path) -> bool {
+/// Whether a file is a mesh by its name; a plain text may have the vertices of one.
+pub(super) fn is_mesh(path: &Path) -> bool {
     // A path that cannot be resolved is reported when the file is read.
     let path = builtin::resolve(path).unwrap_or_else(|_| path.to_owned());
-    path.extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
+    ["obj", "txt"].contains(&&*extension(&path))
 }
 
 fn pictures(args: &Args) -> Result<(), CliError> {
@@ -213,15 +217,19 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         )));
     }
     let files = files();
-    let read = |path: &Path, vertices: usize| -> Result<_, CliError> {
-        let imported = read_posed_obj(path, &files.read(path)?, vertices)?;
+    let read = |path: &Path, model: Option<&Mesh>| -> Result<_, CliError> {
+        let bytes = files.read(path)?;
+        let imported = match model {
+            Some(model) => read_posed_vertices(path, &bytes, model)?,
+            None => read_character_obj(path, &bytes)?,
+        };
         for warning in &imported.warnings {
             output::eprint_line(format_args!("warning: {warning}"));
         }
         Ok(imported.value)
     };
-    let a = read(&args.a, 0)?;
-    let b = read(&args.b, a.positions.len())?;
+    let a = read(&args.a, None)?;
+    let b = read(&args.b, Some(&a))?;
     let parts = parts(args, &files, a.positions.len())?;
     let options = MeshOptions {
         tolerance: args.threshold,

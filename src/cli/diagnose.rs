@@ -1,6 +1,6 @@
 //! `editor diagnose`: which mistake in skinning gives a posed mesh, or a picture of it.
 
-use super::compare::picture_or_mesh;
+use super::compare::{is_mesh, picture_or_mesh};
 use super::output::{self, DiagnosticJson, json_text};
 use super::pipes::Ends;
 use super::{CliError, arguments, print};
@@ -9,7 +9,7 @@ use crate::diagnose::{
     Diagnosis, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
 };
 use crate::disk::{as_given, files};
-use crate::io::{Diagnostic, Files, Imported, PoseFile, import_character, read_posed_obj};
+use crate::io::{Diagnostic, Files, Imported, PoseFile, import_character, read_posed_vertices};
 use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
@@ -36,8 +36,8 @@ use std::sync::Arc;
     editor diagnose mine.obj --character rig.dae --pose bend.json --json\n  \
     editor diagnose mine.png --character Model1.obj --pose walk.json --view +x")]
 pub struct Args {
-    /// What the other program gives: the posed mesh (.obj), or a picture of it (.png, .jpg, .gif);
-    /// - for standard input
+    /// What the other program gives: the posed mesh (.obj, or .txt), of which the vertices (v lines) are enough, or a
+    /// picture of it (.png, .jpg, .gif); - for standard input
     #[arg(value_name = "THEIRS")]
     theirs: PathBuf,
     /// The character at rest: .obj with .skel and .attach beside it, .skel, .dae, or builtin:NAME
@@ -86,7 +86,7 @@ impl Args {
 /// # Errors
 /// If a file is wrong, they do not fit each other, or the mesh is not right.
 pub fn run(args: &Args) -> Result<(), CliError> {
-    if has_extension(&args.theirs, "obj") {
+    if is_mesh(&args.theirs) {
         if args.camera.chosen().is_some() {
             let message = "--camera and --view are for pictures, found a mesh";
             return Err(CliError::Usage(message.to_owned()));
@@ -141,9 +141,13 @@ fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     let files = files();
     let bytes = files.read(&args.theirs)?;
     let characters = characters(&files, &args.character)?;
-    let vertices = |character: &Arc<Character>| character.bind_mesh().positions.len();
-    let fewest = characters.iter().map(vertices).min().unwrap_or_default();
-    let theirs = with_warnings(read_posed_obj(&args.theirs, &bytes, fewest)?);
+    let as_of = |character: &Arc<Character>| {
+        read_posed_vertices(&args.theirs, &bytes, character.bind_mesh())
+    };
+    let read = characters
+        .iter()
+        .find_map(|character| as_of(character).ok());
+    let theirs = with_warnings(read.map_or_else(|| as_of(&characters[0]), Ok)?);
     let fits = |character: &&Arc<Character>| may_be_of(character, theirs.positions.len());
     // If none fits, the numbers of the first are told.
     let character = characters.iter().find(fits).unwrap_or(&characters[0]);
@@ -189,11 +193,6 @@ pub(super) fn characters(
         return Err(Diagnostic::new(model, "expected a character, found none"));
     }
     Ok(characters)
-}
-
-fn has_extension(path: &Path, extension: &str) -> bool {
-    let own = path.extension();
-    own.is_some_and(|own| own.eq_ignore_ascii_case(extension))
 }
 
 /// What was read, after its warnings have been printed.

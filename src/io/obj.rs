@@ -34,6 +34,26 @@ pub fn read_posed_obj(
     at_once(|pace| async move { read_mesh(path, bytes, faces, &pace).await })
 }
 
+/// As [`read_posed_obj`], of a file that may have the vertices of `model` and no faces: then it has those of the model,
+/// with a warning.
+///
+/// # Errors
+/// As [`read_character_obj`].
+pub fn read_posed_vertices(
+    path: &Path,
+    bytes: &[u8],
+    model: &Mesh,
+) -> Result<Imported<Mesh>, Diagnostic> {
+    let faces = FaceReader::expecting_at_least(model.positions.len());
+    let mut read = at_once(|pace| async move { read_mesh(path, bytes, faces, &pace).await })?;
+    if read.value.triangles.is_empty() {
+        read.value.triangles.clone_from(&model.triangles);
+        let message = "found no faces (lines `f a b c`): taken to be those of the model";
+        read.warnings.push(Diagnostic::new(path, message));
+    }
+    Ok(read)
+}
+
 /// As [`read_character_obj`], at a pace that is told of bytes.
 ///
 /// # Errors

@@ -14,6 +14,8 @@ pub(super) struct FaceReader {
     pub counts: [usize; 3],
     /// How many vertices the file should have, if that is known.
     expected_vertices: Option<usize>,
+    /// Whether a file with that many vertices may have no faces.
+    may_have_none: bool,
     faces: Faces,
     ahead: Vec<Ahead>,
     warnings: Warnings,
@@ -35,6 +37,14 @@ impl FaceReader {
         Self {
             expected_vertices: Some(vertices),
             ..Self::default()
+        }
+    }
+
+    /// The same for a file that may have no faces, if it has all vertices.
+    pub fn expecting_at_least(vertices: usize) -> Self {
+        Self {
+            may_have_none: true,
+            ..Self::expecting(vertices)
         }
     }
 
@@ -176,7 +186,9 @@ impl FaceReader {
         if let Some(missing) = missing {
             return Err(self.does_not_exist(scanner, missing));
         }
+        let has_all = self.expected_vertices == Some(self.counts[0]);
         let nothing = match (self.counts[0], self.faces.count()) {
+            (_, 0) if self.may_have_none && has_all => None,
             (0, _) => Some("vertices (lines `v x y z`)"),
             (_, 0) => Some("faces (lines `f a b c`)"),
             _ => None,

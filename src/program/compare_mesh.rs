@@ -55,10 +55,10 @@ impl Program {
         files: &dyn Files,
     ) -> Result<(), String> {
         let ours = self.session.scene().character(shape);
-        let vertices = ours.map_or(0, |ours| ours.character.bind_mesh().positions.len());
-        let read = files
-            .read(path)
-            .and_then(|bytes| io::read_posed_obj(path, &bytes, vertices));
+        let read = files.read(path).and_then(|bytes| match ours {
+            Some(ours) => io::read_posed_vertices(path, &bytes, ours.character.bind_mesh()),
+            None => io::read_character_obj(path, &bytes),
+        });
         let mut theirs = match read {
             Ok(read) => {
                 self.tell_all(Severity::Warning, read.warnings);

@@ -113,7 +113,12 @@ impl Program {
             .filter(|shape| file_on_disk(shape).is_some())
             .map(|shape| shape.id)
             .collect();
+        let since = self.session.messages.count();
         let (count, failed) = self.replace(&ids, &|_| None, &*host.files());
+        if count > 0 && failed == 0 {
+            // What was wrong with the files before; what still is has been told again.
+            self.session.messages.dismiss_before(since);
+        }
         let compares = self.compare_anew(host);
         match count {
             0 if failed > 0 || compares => {}
@@ -143,8 +148,10 @@ impl Program {
             .filter(needs)
             .map(|shape| shape.id)
             .collect();
+        let since = self.session.messages.count();
         let (count, _) = self.replace(&ids, &|_| None, files);
         if count > 0 {
+            self.session.messages.dismiss_before(since);
             let text = format!("{} is on the model that names it", file_name(path));
             self.tell(Severity::Info, text);
         }

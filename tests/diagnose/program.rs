@@ -20,6 +20,7 @@ fn folder() -> TempDir {
         ("wrong.obj", "v 0 1 0\nv 0 0.5 0\nv -3 1 0\nf 1 2 3\n"),
         ("odd.obj", "v 0 1 0\nv 0 0.5 4\nv -3 7 0\nf 1 2 3\n"),
         ("two.obj", "v 0 1 0\nv 0 0.5 4\nf 1 2 1\n"),
+        ("points.txt", "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\n"),
         ("lost.obj", "v 0 1 0\nv 0 0.5 4\nf 1 2 3\n"),
         ("nan.obj", "v 0 1 nan\nv 0 0.5 4\nv 0 0 0\nf 1 2 3\n"),
         ("empty.obj", ""),
@@ -168,6 +169,22 @@ fn json_is_one_object_with_verdict_causes_and_error() {
     let message = "expected a number for z, found “nan”";
     let failure = json!({"file": "nan.obj", "line": 1, "column": 7, "message": message});
     assert_eq!(nan["failure"], failure);
+}
+
+#[test]
+fn vertices_alone_are_enough_if_they_are_all() {
+    let folder = folder();
+    let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
+    assert!(ran.out.starts_with("right: "), "{}{}", ran.out, ran.err);
+    let warning =
+        "warning: points.txt: found no faces (lines `f a b c`): taken to be those of the model\n";
+    assert!(ran.err.contains(warning), "{}", ran.err);
+    let ran = editor_in(folder.path(), &["compare", "right.obj", "points.txt"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), warning), "{}", ran.out);
+    fs::write(folder.path().join("points.txt"), "v 1 1 0\nv 0.25 0.5 0\n").unwrap();
+    let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
+    let told = "points.txt:2:13: expected faces (lines `f a b c`), found none";
+    assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
 }
 
 #[test]

@@ -118,6 +118,13 @@ fn a_picture_that_a_model_lacked_is_put_on_it_when_it_comes_and_another_one_is_c
             .any(|group| group.material.texture.is_some())
     };
     assert!(!has_picture(&story));
+    let misses = |story: &Story| {
+        let fresh = story.session().messages.fresh();
+        fresh
+            .iter()
+            .any(|told| told.text.contains("wood.png") && told.severity == Severity::Warning)
+    };
+    assert!(misses(&story));
     for path in ["models/wood.png", "models/other.png"] {
         story.host.files.insert(PathBuf::from(path), red.clone());
     }
@@ -128,8 +135,12 @@ fn a_picture_that_a_model_lacked_is_put_on_it_when_it_comes_and_another_one_is_c
         !story.has("Stop comparing"),
         "it is no picture to compare with"
     );
+    assert!(!misses(&story), "what it lacked is not said any more");
     story.key_with(CTRL, Key::Z);
     assert!(!has_picture(&story), "it is a step");
+    story.key_with(CTRL, Key::R);
+    assert!(has_picture(&story) && !misses(&story));
+    story.key_with(CTRL, Key::Z);
     // Chosen as if it were a model, it is put on as well.
     story.key_with(CTRL, Key::I);
     story.choose("models/wood.png");
