@@ -100,6 +100,8 @@ fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
 #[test]
 fn until_the_pose_changes_the_panel_says_that_its_numbers_follow() {
     let says = "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
+    let first =
+        "Select the character, drag a joint's numbers at the right, and watch these change.";
     let mut story = bent();
     assert!(story.has_text(says));
     story.type_into("Vertex", "2");
@@ -109,6 +111,10 @@ fn until_the_pose_changes_the_panel_says_that_its_numbers_follow() {
     story.key(Key::K);
     story.key(Key::K);
     assert!(story.has_text(says), "it was opened anew");
+    let session = story.program.session_mut();
+    session.look(editor_core::editor::View::Select(None));
+    story.settle();
+    assert!(story.has_text(first) && !story.has_text(says));
 }
 
 #[test]

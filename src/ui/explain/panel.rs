@@ -28,6 +28,9 @@ const SMALLER: f32 = 12.5;
 const FOLLOWS: &str =
     "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
 
+const FOLLOWS_SELECTED: &str =
+    "Select the character, drag a joint's numbers at the right, and watch these change.";
+
 /// Shows the panel below the view while it is open.
 pub(in crate::ui) fn show(
     root: &mut Ui,
@@ -177,7 +180,15 @@ fn numbers(
     let hovered = table::show(ui, &explained, &told, compared, &mut state.unfolded);
     if !state.was_posed {
         ui.add_space(4.0);
-        weak(ui, FOLLOWS);
+        let is_selected = session.selected() == Some(explained.id);
+        weak(
+            ui,
+            if is_selected {
+                FOLLOWS
+            } else {
+                FOLLOWS_SELECTED
+            },
+        );
     }
     let character = explained.id;
     state.hovered = hovered;
