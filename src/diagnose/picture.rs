@@ -53,6 +53,9 @@ pub struct PictureDiagnosis {
     pub same_as: Vec<Vec<&'static str>>,
     /// The box around what is off, as the pixels x, y, width and height; `None` if nothing is.
     pub off_within: Option<[u32; 4]>,
+    /// Whether hardly anything is drawn but lines and specks, which no mistake is looked for in.
+    #[serde(skip)]
+    pub is_scattered: bool,
 }
 
 /// Finds out which mistakes give the silhouette in `picture`, of which the character in `pose` is all
@@ -80,6 +83,7 @@ pub fn diagnose_picture(
         mistakes: Vec::new(),
         same_as: Vec::new(),
         off_within: search.off_within,
+        is_scattered: false,
     };
     let singles = search.singles();
     if error <= TOLERANCE {
@@ -87,7 +91,10 @@ pub fn diagnose_picture(
         found.sure = 1.0 - unseen as f64 / MISTAKES.len() as f64;
         return Ok(found);
     }
-    if least(&singles) <= TOLERANCE {
+    if search.is_scattered {
+        found.verdict = Verdict::Unexplained;
+        found.is_scattered = true;
+    } else if least(&singles) <= TOLERANCE {
         found.explain(&singles);
     } else {
         found.explain(&search.pairs(&singles, TOLERANCE));
@@ -177,6 +184,11 @@ impl fmt::Display for PictureDiagnosis {
                      known mistakes would show"
                 )?;
             }
+            Verdict::OtherPose | Verdict::Unexplained if self.is_scattered => write!(
+                f,
+                "unexplained: {exact} of the silhouette is off, and what is drawn are hardly more than lines and specks, \
+                 which tell no mistake"
+            )?,
             Verdict::OtherPose | Verdict::Unexplained => write!(
                 f,
                 "{}: {error} of the silhouette is off, and no known mistake gives this one, \

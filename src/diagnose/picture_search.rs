@@ -20,6 +20,8 @@ const COARSE: u32 = 100;
 /// Part of the coarse silhouette that may be off where mistakes may fit: at that size, limbs are as wide
 /// as what counts as a line.
 const MAY_FIT: f64 = 0.05;
+/// Inner area of a silhouette, by that of the exact one, below which it says nothing.
+const SCATTERED: f64 = 0.005;
 /// Area of a coarse silhouette, in samples, below which it says nothing: what may be off is one sample.
 const TELLING: f64 = 1.0 / MAY_FIT;
 
@@ -35,6 +37,8 @@ pub(super) struct PictureSearch<'a> {
     spread: Vec<usize>,
     /// Which part of the silhouette is off from the exact one.
     pub(super) error_from_exact: f64,
+    /// Whether hardly anything is drawn but lines and specks, with which an empty picture would agree.
+    pub(super) is_scattered: bool,
     /// The box around what is off from the exact silhouette, as the pixels x, y, width and height.
     pub(super) off_within: Option<[u32; 4]>,
 }
@@ -85,6 +89,7 @@ impl<'a> PictureSearch<'a> {
             pose,
             clip_from_model,
             error_from_exact: fine.error(&exact),
+            is_scattered: (fine.theirs.inner_area() as f64) < SCATTERED * exact.inner_area() as f64,
             off_within: exact.bounds(fine.theirs.off(&exact)),
             fine,
             coarse,

@@ -198,6 +198,12 @@ impl Silhouette {
         !self.is_covered.contains(&true)
     }
 
+    /// Number of samples that it covers and that are not at its edge.
+    pub(super) fn inner_area(&self) -> usize {
+        let both = self.is_covered.iter().zip(&self.is_edge);
+        both.filter(|(covered, edge)| **covered && !**edge).count()
+    }
+
     /// Number of samples that this one or `other` covers.
     pub(super) fn area_with(&self, other: &Self) -> usize {
         let both = self.is_covered.iter().zip(&other.is_covered);

@@ -20,8 +20,8 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
     at_once(|pace| async move { read_character_obj_by(path, bytes, &pace).await })
 }
 
-/// As [`read_character_obj`], of a file that should have so many `vertices`: where faces name vertices that are not
-/// there, the error says how many lack.
+/// As [`read_character_obj`], of a file that should have so many `vertices`, and may have no faces then: where faces name
+/// vertices that are not there, the error says how many lack.
 ///
 /// # Errors
 /// As [`read_character_obj`].
@@ -34,8 +34,8 @@ pub fn read_posed_obj(
     at_once(|pace| async move { read_mesh(path, bytes, faces, &pace).await })
 }
 
-/// As [`read_posed_obj`], of a file that may have the vertices of `model` and no faces: then it has those of the model,
-/// with a warning.
+/// As [`read_posed_obj`], of a mesh with the vertices of `model`: without faces it gets those of the model, with a
+/// warning.
 ///
 /// # Errors
 /// As [`read_character_obj`].
@@ -44,8 +44,7 @@ pub fn read_posed_vertices(
     bytes: &[u8],
     model: &Mesh,
 ) -> Result<Imported<Mesh>, Diagnostic> {
-    let faces = FaceReader::expecting_at_least(model.positions.len());
-    let mut read = at_once(|pace| async move { read_mesh(path, bytes, faces, &pace).await })?;
+    let mut read = read_posed_obj(path, bytes, model.positions.len())?;
     if read.value.triangles.is_empty() {
         read.value.triangles.clone_from(&model.triangles);
         let message = "found no faces (lines `f a b c`): taken to be those of the model";

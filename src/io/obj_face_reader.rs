@@ -12,10 +12,8 @@ const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 pub(super) struct FaceReader {
     /// How many vertices, texture coordinates and normals were read so far.
     pub counts: [usize; 3],
-    /// How many vertices the file should have, if that is known.
+    /// How many vertices the file should have, if that is known. One that has them may have no faces.
     expected_vertices: Option<usize>,
-    /// Whether a file with that many vertices may have no faces.
-    may_have_none: bool,
     faces: Faces,
     ahead: Vec<Ahead>,
     warnings: Warnings,
@@ -32,19 +30,11 @@ struct Ahead {
 }
 
 impl FaceReader {
-    /// A reader for a file that should have so many vertices.
+    /// A reader for a file that should have so many vertices, and may have no faces then.
     pub fn expecting(vertices: usize) -> Self {
         Self {
             expected_vertices: Some(vertices),
             ..Self::default()
-        }
-    }
-
-    /// The same for a file that may have no faces, if it has all vertices.
-    pub fn expecting_at_least(vertices: usize) -> Self {
-        Self {
-            may_have_none: true,
-            ..Self::expecting(vertices)
         }
     }
 
@@ -188,8 +178,8 @@ impl FaceReader {
         }
         let has_all = self.expected_vertices == Some(self.counts[0]);
         let nothing = match (self.counts[0], self.faces.count()) {
-            (_, 0) if self.may_have_none && has_all => None,
             (0, _) => Some("vertices (lines `v x y z`)"),
+            (_, 0) if has_all => None,
             (_, 0) => Some("faces (lines `f a b c`)"),
             _ => None,
         };

@@ -136,6 +136,25 @@ fn a_picture_that_no_mistake_gives_is_unexplained() {
 }
 
 #[test]
+fn specks_of_a_figure_tell_no_mistake_though_one_that_draws_nothing_there_would_agree() {
+    let mut figure = Figure::builtin("adult", turned(46));
+    let kept = figure.triangles.iter().step_by(12).copied();
+    figure.triangles = kept.collect();
+    let folder = folder(&figure, &[]);
+    let found = diagnosed(&folder, "builtin:adult", "a.png", FRONT, "");
+    assert_eq!(
+        (&found["verdict"], &found["causes"]),
+        (&"unexplained".into(), &json!([]))
+    );
+    let ran = run(
+        &folder,
+        "diagnose a.png --character builtin:adult --pose pose.json --camera 80,10,3",
+    );
+    let told = "what is drawn are hardly more than lines and specks, which tell no mistake";
+    assert!(ran.out.contains(told), "{}", ran.out);
+}
+
+#[test]
 fn a_file_that_is_neither_a_mesh_nor_a_picture_is_told_to_be_that() {
     let folder = folder(&Figure::builtin("adult", turned(46)), &[]);
     std::fs::write(folder.path().join("a.txt"), "words").unwrap();

@@ -2,8 +2,8 @@
 
 use super::interruption::Interruption;
 use crate::cli::CliError;
-use crate::disk::files;
-use crate::io::{CommandData, Diagnostic, TestData, builtin, pose_of_several};
+use crate::disk::{self, ScratchFolder, files};
+use crate::io::{CommandData, Diagnostic, PoseFile, TestData, builtin, pose_of_several};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -11,11 +11,13 @@ use std::path::{Path, PathBuf};
 mod process;
 
 /// A command with the files that it is given.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct TestCommand {
     data: CommandData,
     /// Character and pose by name of test, as absolute paths.
     given: BTreeMap<String, [PathBuf; 2]>,
+    /// Where some of these poses are.
+    _poses: SinglePoses,
 }
 
 /// Why a command made no file.
@@ -27,6 +29,36 @@ pub(super) enum CommandFailure {
     Failed(String),
     /// This program was asked to end.
     Interrupted,
+}
+
+/// Files with one pose each, of files with several, which other programs need not read.
+#[derive(Debug, Default)]
+struct SinglePoses {
+    folder: Option<ScratchFolder>,
+    count: usize,
+}
+
+impl SinglePoses {
+    /// The path of a file with the pose that `named` is, if that is one of several.
+    ///
+    /// # Errors
+    /// If there is no such pose, or it cannot be written.
+    fn of_several(&mut self, named: &Path) -> Result<Option<PathBuf>, CliError> {
+        let files = files();
+        if pose_of_several(&files, named).is_none() {
+            return Ok(None);
+        }
+        let pose = PoseFile::open(&files, named)?;
+        let folder = match self.folder.take() {
+            Some(folder) => folder,
+            None => ScratchFolder::new()?,
+        };
+        self.count += 1;
+        let path = folder.path().join(format!("pose-{}.json", self.count));
+        self.folder = Some(folder);
+        disk::write_whole(&path, pose.data().to_json().as_bytes())?;
+        Ok(Some(path))
+    }
 }
 
 impl TestCommand {
@@ -41,6 +73,7 @@ impl TestCommand {
             return Err(Diagnostic::new(path, message).into());
         }
         let mut given = BTreeMap::new();
+        let mut poses = SinglePoses::default();
         for test in tests {
             for file in [&test.character.path, &test.pose.path] {
                 if file.to_string_lossy().starts_with(builtin::PREFIX) {
@@ -48,23 +81,20 @@ impl TestCommand {
                     return Err(Diagnostic::new(path, message).into());
                 }
             }
-            if pose_of_several(&files(), &super::beside(path, &test.pose.path)).is_some() {
-                let found = test.pose.path.display();
-                let message = format!("expected a file with one pose for a command, found {found}");
-                return Err(Diagnostic::new(path, message).into());
-            }
             let absolute = |file: &Path| {
                 let file = super::beside(path, file);
                 std::path::absolute(&file).unwrap_or(file)
             };
-            given.insert(
-                test.name.clone(),
-                [absolute(&test.character.path), absolute(&test.pose.path)],
-            );
+            let pose = match poses.of_several(&super::beside(path, &test.pose.path))? {
+                Some(alone) => alone,
+                None => absolute(&test.pose.path),
+            };
+            given.insert(test.name.clone(), [absolute(&test.character.path), pose]);
         }
         Ok(Self {
             data: data.clone(),
             given,
+            _poses: poses,
         })
     }
 

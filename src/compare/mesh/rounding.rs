@@ -5,10 +5,11 @@ use super::placement::Points;
 
 /// Most digits after the point that rounding is told of: with more, single precision differs as much.
 const MOST_DIGITS: i32 = 7;
-/// Room for numbers that are not exact in binary: by the number itself, as single precision keeps them, and for halves by
-/// the step.
+/// Room for numbers that are not exact in binary: by the number itself, as single precision keeps them.
 const PRECISION: f64 = 1.2e-7;
-const ROOM: f64 = 1.001;
+/// Room for halves, which programs that compute otherwise round to the other side: by the largest number, with the rounding
+/// of a few sums and products in single precision.
+const ROOM: f64 = 1e-6;
 /// Fewest vertices that are all as short as that by no chance.
 const FEWEST: usize = 12;
 
@@ -19,11 +20,13 @@ pub(super) fn rounded(points: &Points) -> Option<MeshFinding> {
     if points.b.len() < FEWEST || !are_finite {
         return None;
     }
+    let numbers = points.a.iter().map(|a| a.abs().max_element());
+    let room = ROOM * numbers.fold(0.0, f64::max);
     let gives = |step: f64| {
         pairs().all(|(a, b)| {
             let exact = PRECISION * b.abs();
             let is_round = (*b - (*b / step).round() * step).abs().cmple(exact);
-            let is_near = (*a - *b).abs().cmple(exact + ROOM * 0.5 * step);
+            let is_near = (*a - *b).abs().cmple(exact + room + 0.5 * step);
             is_round.all() && is_near.all()
         })
     };
@@ -51,6 +54,24 @@ mod tests {
             tolerance: 1e-5,
             apart,
         })
+    }
+
+    #[test]
+    fn halves_that_a_program_in_double_precision_rounds_the_other_way_are_rounded_all_the_same() {
+        let half = |number: f64| ((number * 1e4).floor() + 0.5) / 1e4;
+        // What the one has just below the half, the other has just above.
+        let a: Vec<DVec3> = (0..40)
+            .map(|index| DVec3::splat(half(f64::from(index) * 0.0731) - 2e-7))
+            .collect();
+        let up = |at: &DVec3| (*at * 1e4).ceil() / 1e4;
+        let b: Vec<DVec3> = a.iter().map(up).collect();
+        let points = Points {
+            a: &a,
+            b: &b,
+            tolerance: 1e-5,
+            apart: 5.02e-5,
+        };
+        assert_eq!(rounded(&points), Some(MeshFinding::Rounded { to: 1e-4 }));
     }
 
     #[test]
