@@ -170,13 +170,17 @@ impl Page {
                 section.possible
             ));
             if points.is_empty() {
+                let given = match section.extra {
+                    true => "none given",
+                    false => "not graded yet",
+                };
                 self.add(format_args!(
-                    "<td class=\"number dim\">–</td><td class=\"dim\">by hand, not graded yet</td></tr>\n"
+                    "<td class=\"number dim\">–</td><td class=\"dim\">by hand, {given}</td></tr>\n"
                 ));
             } else {
                 let of = match points.len() {
                     count if count == report.submissions.len() => String::new(),
-                    count => format!(" <span class=\"dim\">of {count}</span>"),
+                    count => format!(" <span class=\"dim\">({count} graded)</span>"),
                 };
                 self.add(format_args!(
                     "<td class=\"number\">{mean:.1}{of}</td><td><span class=\"of\"><span class=\"bar\" \

@@ -226,7 +226,8 @@ impl Test {
             as_asked: found
                 .other_pose
                 .as_ref()
-                .map_or(0.0, |other| self.as_asked(other)),
+                .and_then(|other| rounded(self.as_asked(other)))
+                .unwrap_or(0.0),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
             picture: if is_right { None } else { drawn() },
