@@ -212,7 +212,7 @@ pub(super) async fn import_shape_by(
                 with_mesh.collect()
             });
             if left_out {
-                let message = "expected a shape, found a character: its bones are left out. Insert ▸ Import ▸ \
+                let message = "expected a shape, found a character: its bones are left out. Insert ⏵ Import ⏵ \
                                Import Character… brings them along";
                 shapes.warnings.push(Diagnostic::new(path, message));
             }

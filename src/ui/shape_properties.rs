@@ -64,7 +64,7 @@ fn without_joints(shape: &Shape) -> &'static str {
     }
 }
 
-const COLLADA_WITHOUT_JOINTS: &str = "This mesh has no joints. If its .dae has some, Insert ▸ Import ▸ Import \
+const COLLADA_WITHOUT_JOINTS: &str = "This mesh has no joints. If its .dae has some, Insert ⏵ Import ⏵ Import \
                                       Character… brings them along.";
 const WITHOUT_JOINTS: &str = "This mesh has no joints. A character's .obj has its .skel and .attach beside it, and is \
                               chosen or dropped together with them.";

@@ -269,6 +269,36 @@ fn a_hand_too_small_for_its_fingers_is_taken_by_the_wrist() {
 }
 
 #[test]
+fn joints_that_are_selected_together_are_pinned_together_and_one_alone_is_led() {
+    let mut editor = Editor::with_ik();
+    editor.view(View::SelectJoint(Some(LEFT_FOOT)));
+    editor.view(View::ToggleJoint(RIGHT_FOOT));
+    let pins = |editor: &Editor| -> Vec<usize> {
+        let id = editor.shape().id;
+        let character = editor.session().scene().character(id).unwrap();
+        character.ik.pins.iter().copied().collect()
+    };
+    editor.key(Key::P);
+    assert_eq!(pins(&editor), [RIGHT_FOOT, LEFT_FOOT]);
+    editor.click("Pin Joint");
+    assert_eq!(pins(&editor), [0; 0]);
+    editor.pin(LEFT_FOOT);
+    editor.view(View::SelectJoint(Some(LEFT_FOOT)));
+    editor.view(View::ToggleJoint(RIGHT_FOOT));
+    editor.key(Key::P);
+    assert_eq!(pins(&editor), [RIGHT_FOOT, LEFT_FOOT], "all of them, again");
+    // The label is about the one that comes along.
+    let foot = editor.joint_at(RIGHT_FOOT);
+    editor.press(editor.near(RIGHT_FOOT, 6));
+    editor.point(foot + STEP);
+    let painted = editor.painted_over_view();
+    assert!(
+        !painted.iter().any(|text| text == "2 joints"),
+        "{painted:?}"
+    );
+}
+
+#[test]
 fn pinned_feet_stay_while_the_root_is_dragged() {
     let mut editor = Editor::with_ik();
     editor.pin(LEFT_FOOT);

@@ -2,10 +2,11 @@
 
 use super::{Story, differing};
 use crate::collada::support::{instance, static_document, triangle};
-use editor_core::editor::Severity;
+use editor_core::editor::{Severity, View};
 use editor_core::program::{Purpose, StorageKey};
 use editor_core::scene::SkinningMethod;
 use editor_core::scene::bones_in_world;
+use editor_core::ui::Navigation;
 use egui::{Key, Modifiers, Pos2, pos2, vec2};
 use glam::Vec3;
 
@@ -254,6 +255,44 @@ fn hovering_changes_what_is_marked_and_not_the_document() {
     story.settle();
     assert_eq!(story.session().hovered_joint(), None);
     assert_eq!(story.host.cursor, Some(egui::CursorIcon::Default));
+}
+
+#[test]
+fn a_held_key_that_turns_the_camera_rolls_no_bone_that_comes_below_the_pointer() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Mannequin);
+    story.key(Key::F);
+    story.click("Pose Tool");
+    let bone = end_of_bone(&story, 2) + vec2(0.0, 6.0);
+    let right = |pressed, repeat| egui::Event::Key {
+        key: Key::ArrowRight,
+        physical_key: None,
+        pressed,
+        repeat,
+        modifiers: egui::Modifiers::NONE,
+    };
+    story.point(bone - vec2(150.0, 0.0));
+    story.settle();
+    assert_eq!(story.session().hovered_joint(), None);
+    let camera = story.session().view().camera;
+    story.frame(vec![right(true, false)]);
+    // As if the bone had come there.
+    story.point(bone);
+    story.frame(Vec::new());
+    assert_eq!(story.session().hovered_joint(), Some(2));
+    for _ in 0..5 {
+        story.frame(vec![right(true, true)]);
+    }
+    assert_ne!(story.session().view().camera, camera);
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    story.frame(vec![right(false, false)]);
+    story.program.session_mut().look(View::SetCamera(camera));
+    story.settle();
+    story.point(bone);
+    story.settle();
+    story.frame(vec![right(true, false)]);
+    story.frame(vec![right(false, false)]);
+    assert_ne!(story.degrees("Elbow"), Vec3::ZERO, "pressed anew, over it");
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub(in crate::ui) fn why_disabled(
         Command::ToggleBones if session.view().look != Look::Mannequin => Some(
             "Only the Mannequin look has them (View ⏵ Look); Model Display Mode in the panel shows skeletons",
         ),
-        Command::PinJoint if posing::joint_to_pin(session).is_none() => {
+        Command::PinJoint if posing::joints_to_pin(session).is_none() => {
             Some("No joint is selected or under the pointer")
         }
         Command::Delete

@@ -27,13 +27,15 @@ pub(super) fn others(session: &Session) -> impl Iterator<Item = &Shape> {
     shapes.filter(|shape| shape.visible && !session.is_selected(shape.id))
 }
 
-/// Shows the shapes that are hidden, and selects them, as Blender does.
-pub(super) fn show_all(session: &Session) -> Vec<Action> {
+/// Shows the shapes that are hidden, and selects them as well, as Blender does: what is active stays that. While a figure
+/// `is_posed` it stays the only one.
+pub(super) fn show_all(session: &Session, is_posed: bool) -> Vec<Action> {
     let ids: Vec<ShapeId> = hidden(session).map(|shape| shape.id).collect();
     let show = ids.iter().map(|&id| Edit::SetVisible(id, true));
     let show = Edit::Together(show.collect());
-    let select = View::SelectInBox(ids, BoxMode::Replace);
-    vec![Action::Edit(show), Action::View(select)]
+    let select = Action::View(View::SelectInBox(ids, BoxMode::Add));
+    let select = Some(select).filter(|_| !is_posed);
+    std::iter::once(Action::Edit(show)).chain(select).collect()
 }
 
 /// The shapes that are hidden.

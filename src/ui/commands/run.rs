@@ -42,7 +42,10 @@ pub(in crate::ui) fn run(
             std::iter::once(all).chain(action).collect()
         }
         Command::MakeSweep => sweep(session).unwrap_or_default(),
-        Command::ShowAll => show_all(session),
+        Command::ShowAll => {
+            let poses = posing::posed(session, state.pose.tool).is_some();
+            show_all(session, poses)
+        }
         _ => action.into_iter().collect(),
     }
 }
@@ -113,8 +116,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         | Command::LoadPose => return pose_action(command, session),
         Command::PinJoint => {
             state.pose.tool = Tool::Ik;
-            if let Some((shape, joint)) = posing::joint_to_pin(session) {
-                return posing::toggle_pin(session, shape, joint).map(Action::Edit);
+            if let Some((shape, joints)) = posing::joints_to_pin(session) {
+                return posing::toggle_pins(session, shape, &joints).map(Action::Edit);
             }
         }
         Command::UnpinAll => return Some(Action::Edit(posing::unpin_all(session))),

@@ -271,7 +271,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale Tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]).also("size resize gizmo"),
     entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK Tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]).also("inverse kinematics reach"),
     entry(Command::ToggleLocalAxes, Menu::Tools, "Local Axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]).also("global orientation"),
-    entry(Command::PinJoint, Menu::Tools, "Pin Joint", "Hold the joint under the pointer, or the selected one, where it is while the IK tool drags others", &[key(NONE, Key::P)]).also("fix anchor"),
+    entry(Command::PinJoint, Menu::Tools, "Pin Joint", "Hold the joint under the pointer, or all that are selected, where it is while the IK tool drags others", &[key(NONE, Key::P)]).also("fix anchor"),
     entry(Command::UnpinAll, Menu::Tools, "Unpin All Joints", "Let go of every pinned joint", &[key(ALT, Key::P)]).also("release free"),
 
     entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]).also("zero clear"),

@@ -30,13 +30,28 @@ pub(in crate::ui) fn has_pins(session: &Session) -> bool {
     with_pins(session).next().is_some()
 }
 
-/// Pins a joint, or unpins it.
-pub(in crate::ui) fn toggle_pin(session: &Session, shape: ShapeId, joint: usize) -> Option<Edit> {
+/// Pins joints, or unpins them if all are pinned.
+pub(in crate::ui) fn toggle_pins(
+    session: &Session,
+    shape: ShapeId,
+    joints: &[usize],
+) -> Option<Edit> {
     let mut ik = session.scene().character(shape)?.ik.clone();
-    if !ik.pins.remove(&joint) {
-        ik.pins.insert(joint);
+    if are_pinned(session, shape, joints) {
+        ik.pins.retain(|pin| !joints.contains(pin));
+    } else {
+        ik.pins.extend(joints);
     }
     Some(Edit::SetIk(shape, ik))
+}
+
+/// Whether all of these joints of a character are pinned.
+pub(super) fn are_pinned(session: &Session, shape: ShapeId, joints: &[usize]) -> bool {
+    let character = session.scene().character(shape);
+    character.is_some_and(|character| {
+        let pins = &character.ik.pins;
+        joints.iter().all(|joint| pins.contains(joint))
+    })
 }
 
 /// Unpins all joints of all characters.
@@ -69,10 +84,17 @@ pub(super) fn lead(session: &Session, shape: ShapeId, grip: IkGrip, ray: &Ray) -
     drag.map_or(Drag::Stuck(shape, grip.joint()), Drag::Ik)
 }
 
-/// The joint that is pinned or unpinned: the hovered one, or else the selected one.
-pub(in crate::ui) fn joint_to_pin(session: &Session) -> Option<(ShapeId, usize)> {
-    let selected = session.selected().zip(session.selected_joint());
-    session.hovered_bone().or(selected)
+/// The joints that are pinned or unpinned: the hovered one, or else all that are selected, also where the hovered one is
+/// among them.
+pub(in crate::ui) fn joints_to_pin(session: &Session) -> Option<(ShapeId, Vec<usize>)> {
+    let selected = session.selected_joints();
+    let active = session.selected().filter(|_| !selected.is_empty());
+    match session.hovered_bone() {
+        Some((shape, joint)) if active != Some(shape) || !selected.contains(&joint) => {
+            Some((shape, vec![joint]))
+        }
+        _ => Some((active?, selected.to_vec())),
+    }
 }
 
 /// The grip that is dragged or hovered, and the joints of the chain that follows it, root first; in

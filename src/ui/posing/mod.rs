@@ -11,7 +11,7 @@ mod tool_bar;
 mod tool_icons;
 mod typed;
 
-pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
+pub(super) use ik::{has_pins, joints_to_pin, toggle_pins, unpin_all};
 pub(super) use pointer::{pointer, put_back, roll_by_keys};
 pub(super) use tool_bar::BAR_HEIGHT;
 pub(super) use typed::Typed;
@@ -47,6 +47,8 @@ pub(super) struct PoseState {
     pub picked: Picked,
     /// Whether the view itself was under the pointer in the last frame.
     pub over_view: bool,
+    /// Whether Left or Right was pressed last beside all bones, where it turns the camera if the navigation has that.
+    pub turns_camera: bool,
     /// Whether the pointer is a finger.
     pub by_finger: bool,
     /// The bone that was dragged or clicked last: of its joint's bones, keys roll this one.
@@ -268,7 +270,11 @@ fn held_name(session: &Session, held: &Held) -> Option<String> {
         return Some(format!("Point {}", point + 1));
     }
     let joints = session.selected_joints();
-    if joints.len() > 1 && held.joint().is_some_and(|joint| joints.contains(&joint)) {
+    // Inverse kinematics leads one alone.
+    if joints.len() > 1
+        && held.ik().is_none()
+        && held.joint().is_some_and(|joint| joints.contains(&joint))
+    {
         return Some(format!("{} joints", joints.len()));
     }
     let free = session.selected_shapes();

@@ -12,7 +12,7 @@ use crate::ui::grab::{Grab, PointerUse, is_pickable};
 use crate::ui::pointing::Pointing;
 use crate::ui::scene_places::{Place, ScenePlaces};
 use crate::ui::{Action, GestureStep, Navigation, UiState};
-use egui::{Context, CursorIcon, InputState, Key, Modifiers, Pos2, Response};
+use egui::{Context, CursorIcon, Event, InputState, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
 
 /// Distance in points within which a bone is taken, however thin it is: with a mouse or a pen, and
@@ -324,21 +324,40 @@ fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Act
 
 /// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while
 /// Left or Right is pressed over the view. If the navigation turns the camera by these keys, only
-/// the bone under the pointer. To be called before the panels, which use these keys, too.
+/// the bone under the pointer, and a key that was pressed beside all bones goes on turning the camera while it is held,
+/// whatever comes below the pointer. To be called before the panels, which use these keys, too.
 pub(in crate::ui) fn roll_by_keys(
     ctx: &Context,
     session: &Session,
-    state: &UiState,
+    state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
+    let is_press = |event: &Event| {
+        matches!(
+            event,
+            Event::Key {
+                key: Key::ArrowLeft | Key::ArrowRight,
+                pressed: true,
+                repeat: false,
+                ..
+            }
+        )
+    };
+    if ctx.input(|input| input.events.iter().any(is_press)) {
+        state.pose.turns_camera = state.pose.hovered.is_none();
+    }
     let pose = &state.pose;
     if pose.tool != Tool::Pose || !pose.over_view {
         return;
     }
-    let under_pointer = pose.hovered.map(|hit| (hit.shape, hit.bone));
-    let selected = || match state.navigation {
-        Navigation::Mannequin => None,
-        _ => bone_of_selected_joint(session, pose),
+    let is_mannequin = state.navigation == Navigation::Mannequin;
+    let hovered = pose
+        .hovered
+        .filter(|_| !(is_mannequin && pose.turns_camera));
+    let under_pointer = hovered.map(|hit| (hit.shape, hit.bone));
+    let selected = || match is_mannequin {
+        true => None,
+        false => bone_of_selected_joint(session, pose),
     };
     let Some((shape, bone)) = under_pointer.or_else(selected) else {
         return;

@@ -1,6 +1,6 @@
 //! The tool bar: tools, and the settings of the IK tool.
 
-use super::ik::{self, joint_to_pin};
+use super::ik::{self, joints_to_pin};
 use super::{PoseState, tool_icons};
 use crate::character::Facing;
 use crate::editor::{Edit, GizmoAxes, Session, Tool};
@@ -259,18 +259,18 @@ fn pole(ui: &mut Ui, facing: Facing, pole: &mut IkPole) {
 }
 
 fn pins(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
-    let joint = joint_to_pin(session);
-    let pinned =
-        joint.is_some_and(|(shape, joint)| ik::pins(session, shape).any(|pin| pin == joint));
+    let joints = joints_to_pin(session);
+    let joints = joints.as_ref();
+    let pinned = joints.is_some_and(|(shape, joints)| ik::are_pinned(session, *shape, joints));
     let pin = Button::selectable(pinned, "Pin");
     let why = Pointing::of(ui.ctx()).words(
         "Select a joint first: click it in the view or in the list",
         "Select a joint first: tap it in the view or in the list",
     );
-    if pin_button(ui, pin, joint.is_some(), Command::PinJoint, why)
-        && let Some((shape, joint)) = joint
+    if pin_button(ui, pin, joints.is_some(), Command::PinJoint, why)
+        && let Some((shape, joints)) = joints
     {
-        actions.extend(ik::toggle_pin(session, shape, joint).map(Action::Edit));
+        actions.extend(ik::toggle_pins(session, *shape, joints).map(Action::Edit));
     }
     let unpin = Button::new("Unpin all");
     let why = "Nothing is pinned";
