@@ -176,6 +176,32 @@ fn the_picture_is_wider_where_somebody_would_be_cut_off_at_its_sides() {
 }
 
 #[test]
+fn of_another_project_the_program_that_is_built_there_is_handed_in() {
+    let folder = project();
+    let at = |path: &str| folder.path().join(path);
+    fs::write(
+        at("p/Cargo.toml"),
+        "[package]\nedition = \"2024\"\nname = \"hw2\"\n\n[dependencies]\nname = \"1\"\n",
+    )
+    .unwrap();
+    let line = "submit --project p --scene two.scene --answers answers.md -o o.zip";
+    let line: Vec<&str> = line.split(' ').collect();
+    let ran = editor_in(folder.path(), &line);
+    let told =
+        "p/target/release/hw2: expected the program of the project, found none: build it with";
+    assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
+    fs::create_dir_all(at("p/target/release")).unwrap();
+    fs::write(at("p/target/release/hw2"), "my program").unwrap();
+    let ran = editor_in(folder.path(), &line);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let files = unpacked(&at("o.zip"));
+    assert_eq!(files["o/hw2"], (b"my program".to_vec(), true));
+    assert!(!files.contains_key("o/editor"));
+    let readme = String::from_utf8(files["o/README.txt"].0.clone()).unwrap();
+    assert!(readme.contains("- hw2: the program"), "{readme}");
+}
+
+#[test]
 fn our_own_project_is_in_the_archive_byte_for_byte() {
     let folder = project();
     let project = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -54,7 +54,7 @@ pub struct Args {
     /// Folder of the project
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     project: PathBuf,
-    /// Program to hand in [default: this one]
+    /// Program to hand in [default: this one, or of another project than the editor's its target/release/NAME]
     #[arg(long, value_name = "FILE")]
     executable: Option<PathBuf>,
     /// Print the questions, to be answered in a file, and do nothing else
@@ -103,7 +103,8 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         .cloned()
         .collect();
     let mut entries = project::files(&args.project, &own)?;
-    let executable = executable(args)?;
+    let package = project::package(&args.project).filter(|name| name != PROGRAM);
+    let executable = executable(args, package.as_deref())?;
     warn_if_older(&executable, &entries);
     let answers = complete_answers(args)?;
 
@@ -120,16 +121,19 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let inputs = inputs.into_iter().flatten().chain([&executable]);
     refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
 
+    let name = program_name(package.as_deref());
     let program = Entry {
         is_executable: true,
-        ..Entry::new(program_name(), Disk.read(&executable)?)
+        ..Entry::new(&name, Disk.read(&executable)?)
     };
     entries.retain(|entry| {
         let is_readme = entry.path == Path::new(README);
         let mut made = shown.iter().chain([&program]);
         !is_readme && made.all(|made| made.path != entry.path)
     });
-    let readme = answers.readme(&contents(&entries, &shown)).into_bytes();
+    let readme = answers
+        .readme(&contents(&entries, &name, &shown))
+        .into_bytes();
     let mut made = vec![program, Entry::new(README, readme)];
     made.extend(shown);
     let parts = parts(&entries, &made);
@@ -155,14 +159,27 @@ fn format_of(output: &Path) -> Result<(Format, String), CliError> {
     })
 }
 
-fn program_name() -> String {
-    format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX)
+/// Name of the program in the archive, of a project that is another `package`.
+fn program_name(package: Option<&str>) -> String {
+    let name = package.unwrap_or(PROGRAM);
+    format!("{name}{}", std::env::consts::EXE_SUFFIX)
 }
 
-fn executable(args: &Args) -> Result<PathBuf, CliError> {
-    match &args.executable {
-        Some(executable) => Ok(executable.clone()),
-        None => std::env::current_exe().map_err(|error| {
+/// The program to hand in: this one, or of a project that is another `package` the one that is built there.
+fn executable(args: &Args, package: Option<&str>) -> Result<PathBuf, CliError> {
+    match (&args.executable, package) {
+        (Some(executable), _) => Ok(executable.clone()),
+        (None, Some(package)) => {
+            let built = Path::new("target/release").join(program_name(Some(package)));
+            let built = args.project.join(built);
+            if built.is_file() {
+                return Ok(built);
+            }
+            let message = "expected the program of the project, found none: build it with cargo build --release, or \
+                           name another with --executable";
+            Err(Diagnostic::new(&built, message).into())
+        }
+        (None, None) => std::env::current_exe().map_err(|error| {
             let reason = disk::in_words(&error);
             CliError::Other(format!("the program does not find its own file: {reason}"))
         }),
@@ -236,8 +253,7 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
 }
 
 /// Lines of the README about what is in the archive: the files of the `project`, the program and what is `shown`.
-fn contents(project: &[Entry], shown: &[Entry]) -> Vec<String> {
-    let program = program_name();
+fn contents(project: &[Entry], program: &str, shown: &[Entry]) -> Vec<String> {
     let first = |entry: &Entry| {
         let first = entry.path.components().next()?;
         Some(first.as_os_str().to_string_lossy().into_owned())
