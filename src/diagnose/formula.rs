@@ -53,6 +53,8 @@ pub struct JointFormula {
     pub is_transposed: bool,
     /// Whether it is R · T instead of T · R.
     pub rotates_first: bool,
+    /// Whether that is so at roots, also where it is not at other joints.
+    pub roots_rotate_first: bool,
     /// Whether the offset counts in T.
     pub has_offset: bool,
     /// Whether the offset counts in B.
@@ -220,6 +222,8 @@ pub enum Columns {
     BeforeWithoutFirst,
     /// The one after, which the last column lacks.
     After,
+    /// Its own, but for two joints, each of which has the other's.
+    Exchanged(usize, usize),
 }
 
 /// Which weights of a vertex are kept.
@@ -279,6 +283,7 @@ impl Default for Formula {
                 order: [0, 1, 2],
                 is_transposed: false,
                 rotates_first: false,
+                roots_rotate_first: false,
                 has_offset: true,
                 has_bind_offset: true,
                 has_pose: true,

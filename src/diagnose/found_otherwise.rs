@@ -1,6 +1,6 @@
 //! Mistakes that are found otherwise than by making them: in the faces of a mesh, and in one line of a skeleton.
 
-use super::mistakes::{MESH, Mistake, SKELETON};
+use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
 pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
@@ -41,10 +41,31 @@ pub(super) static ONE_WRONG_OFFSET: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake at roots alone, which other joints do not share.
+pub(super) static ROOT_ROTATED_FIRST: Mistake = Mistake {
+    id: "root-rotated-before-translation",
+    meaning: "the transform of the root alone is R · T instead of T · R, so that its offset turns with it",
+    section: SLIDERS,
+    look_at: "where the root's transform is made or the figure is turned as a whole: the offset comes last to a vertex \
+              and so stands on the left",
+    readings: &[],
+};
+
+/// A mistake in two columns of the weights, which are found pair by pair.
+pub(super) static WEIGHTS_EXCHANGED: Mistake = Mistake {
+    id: "weights-exchanged",
+    meaning: "two joints have each other's weights",
+    section: SSD,
+    look_at: "where the .attach file is read: column c has the weights of joint c + 1, in the order of the .skel file",
+    readings: &[],
+};
+
 /// Mistakes that are found otherwise than by making them in every way.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 4] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 6] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
+    &ROOT_ROTATED_FIRST,
+    &WEIGHTS_EXCHANGED,
 ];

@@ -31,9 +31,9 @@ pub struct Reading {
 }
 
 pub(super) const SKELETON: &str = "3.2 Skeleton";
-const SLIDERS: &str = "3.4 Sliders";
+pub(super) const SLIDERS: &str = "3.4 Sliders";
 pub(super) const MESH: &str = "4.1 Mesh";
-const SSD: &str = "4.2 SSD";
+pub(super) const SSD: &str = "4.2 SSD";
 
 const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
     Reading { how, make }

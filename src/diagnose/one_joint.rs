@@ -1,14 +1,18 @@
-//! Mistakes in one line of a skeleton: a joint that hangs on a wrong parent, or has a wrong offset. They are sought
-//! only where no mistake of a whole program gives the mesh, since one line can be off in so many ways.
+//! Mistakes at single joints: a joint that hangs on a wrong parent, or has a wrong offset, a root that is turned before it is
+//! moved, two that have each other's weights. They are sought only where no mistake of a whole program gives the mesh, since
+//! one joint can be off in so many ways.
 
 use super::as_good;
-use super::formula::{Formula, OtherJoint, VertexOrder};
-use super::found_otherwise::{ONE_WRONG_OFFSET, ONE_WRONG_PARENT};
+use super::formula::{Columns, Formula, OtherJoint, VertexOrder};
+use super::found_otherwise::{
+    ONE_WRONG_OFFSET, ONE_WRONG_PARENT, ROOT_ROTATED_FIRST, WEIGHTS_EXCHANGED,
+};
 use super::mistakes::{Mistake, Reading};
 use super::search::{Explanation, Made, Search};
 use super::skin::{Placed, Skinner};
 use crate::steps::Pace;
 use glam::{DMat3, DVec3};
+use std::collections::BTreeSet;
 
 /// Joints of the largest skeletons that are tried: every joint above what is off is hung on every other.
 const MOST_JOINTS: usize = 256;
@@ -47,6 +51,13 @@ pub(super) async fn find(
         exact,
     };
     let joints = lines.joints();
+    if let Some(root) = lines.root_rotated_first(pace).await {
+        return vec![root];
+    }
+    let exchanged = lines.exchanged_weights(pace).await;
+    if !exchanged.is_empty() {
+        return exchanged;
+    }
     let parents = lines.wrong_parents(&joints, size, pace).await;
     let offsets = lines.wrong_offsets(&joints, pace).await;
     parents.into_iter().chain(offsets).collect()
@@ -60,14 +71,86 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
+    /// Vertices of the sample that are off.
+    fn off(&self) -> Vec<usize> {
+        let off = |&&vertex: &&usize| {
+            self.exact[vertex].distance(self.search.theirs[vertex]) > self.search.tolerance
+        };
+        self.search.sample.iter().filter(off).copied().collect()
+    }
+
+    /// Roots that are turned before they are moved, if that gives the mesh.
+    async fn root_rotated_first(&self, pace: &Pace) -> Option<Explanation> {
+        let mut formula = self.formula();
+        formula.joint.roots_rotate_first = true;
+        self.given_by(&formula, &ROOT_ROTATED_FIRST, pace).await
+    }
+
+    /// Joints that have each other's weights, where that gives the mesh.
+    async fn exchanged_weights(&self, pace: &Pace) -> Vec<Explanation> {
+        let model = self.search.model;
+        let joints = model.skeleton().joints();
+        let off = self.off();
+        let Some(&first) = off.first().filter(|_| joints.len() <= MOST_JOINTS) else {
+            return Vec::new();
+        };
+        let moving = |vertex: usize| {
+            let row = model.source(self.order, vertex).weights;
+            model.influences(row).iter().map(|one| one.joint as usize)
+        };
+        let mut found = Vec::new();
+        let mut tried = BTreeSet::new();
+        for one in moving(first) {
+            for other in 0..joints.len() {
+                let pair = (one.min(other), one.max(other));
+                let is_one = |joint: usize| joint == one || joint == other;
+                let may_be = one != other && off.iter().all(|&vertex| moving(vertex).any(is_one));
+                if !may_be || !tried.insert(pair) {
+                    continue;
+                }
+                let mut formula = self.formula();
+                formula.weights.columns = Columns::Exchanged(one, other);
+                let given = self.given_by(&formula, &WEIGHTS_EXCHANGED, pace).await;
+                let [one, other] = [pair.0, pair.1].map(|joint| self.named(Some(joint)));
+                found.extend(given.map(|explanation| Explanation {
+                    how: Some(format!("{one} and {other}")),
+                    ..explanation
+                }));
+            }
+        }
+        found
+    }
+
+    /// An explanation of the mesh by a formula, if that gives it.
+    async fn given_by(
+        &self,
+        formula: &Formula,
+        mistake: &'static Mistake,
+        pace: &Pace,
+    ) -> Option<Explanation> {
+        let made = Made {
+            mistake,
+            reading: &IN_THE_FILE,
+        };
+        let mut skinner = Skinner::new(self.search.model, self.search.pose, formula);
+        (self.search)
+            .explained_by(&mut skinner, vec![made], pace)
+            .await
+    }
+
+    /// The exact formula for vertices in this order.
+    fn formula(&self) -> Formula {
+        Formula {
+            vertex_order: self.order,
+            ..Formula::default()
+        }
+    }
+
     /// The joints whose line may be wrong: those that move, by themselves or by what hangs on them, all that is off.
     fn joints(&self) -> Vec<usize> {
         let model = self.search.model;
         let joints = model.skeleton().joints().len();
-        let off = |&&vertex: &&usize| {
-            self.exact[vertex].distance(self.search.theirs[vertex]) > self.search.tolerance
-        };
-        let off: Vec<usize> = self.search.sample.iter().filter(off).copied().collect();
+        let off = self.off();
         if joints > MOST_JOINTS || off.len() < FEWEST_OFF {
             return Vec::new();
         }
@@ -83,13 +166,16 @@ impl Lines<'_> {
     }
 
     /// A skinner of the exact formula, but for one joint.
-    fn skinner(&self, other: Option<OtherJoint>) -> Skinner<'_> {
-        let formula = Formula {
-            vertex_order: self.order,
-            other_joint: other,
-            ..Formula::default()
-        };
+    fn skinner(&self, other: OtherJoint) -> Skinner<'_> {
+        let formula = self.formula_with(other);
         Skinner::new(self.search.model, self.search.pose, &formula)
+    }
+
+    fn formula_with(&self, other: OtherJoint) -> Formula {
+        Formula {
+            other_joint: Some(other),
+            ..self.formula()
+        }
     }
 
     /// An explanation of the mesh by `other`, if that gives it.
@@ -99,13 +185,7 @@ impl Lines<'_> {
         mistake: &'static Mistake,
         pace: &Pace,
     ) -> Option<Explanation> {
-        let made = Made {
-            mistake,
-            reading: &IN_THE_FILE,
-        };
-        let mut skinner = self.skinner(Some(other));
-        (self.search)
-            .explained_by(&mut skinner, vec![made], pace)
+        self.given_by(&self.formula_with(other), mistake, pace)
             .await
     }
 
@@ -179,11 +259,11 @@ impl Lines<'_> {
         let own = &self.search.model.skeleton().joints()[joint];
         let offset = own.offset.as_dvec3();
         let mut along = DVec3::AXES.map(|axis| {
-            self.skinner(Some(OtherJoint {
+            self.skinner(OtherJoint {
                 joint,
                 parent: own.parent,
                 offset: offset + axis,
-            }))
+            })
         });
         let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
         for &vertex in &self.search.sample {

@@ -210,11 +210,13 @@ impl Joints {
                     translation += pose.root_offset(joint).as_dvec3();
                 }
             }
-            own.parent_from_joint(translation, angles)
+            let is_root = tree.parents[joint].is_none();
+            let rotates_first = own.rotates_first || own.roots_rotate_first && is_root;
+            own.parent_from_joint(translation, angles, rotates_first)
         });
         let bind = tree.chained(formula.bind_chain, |joint| {
             let has_offset = f64::from(own.has_bind_offset);
-            own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO)
+            own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO, false)
         });
         Self {
             current,
@@ -243,6 +245,9 @@ impl Joints {
             Columns::Before => index.checked_sub(1)?,
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
             Columns::After => index + 1,
+            Columns::Exchanged(a, b) if index == a => b,
+            Columns::Exchanged(a, b) if index == b => a,
+            Columns::Exchanged(..) => index,
         };
         self.order.get(place).copied()
     }
@@ -309,8 +314,13 @@ impl Tree {
 }
 
 impl JointFormula {
-    /// The transform of a joint from its translation and its angles in radians.
-    fn parent_from_joint(&self, translation: DVec3, radians: DVec3) -> DAffine3 {
+    /// The transform of a joint from its translation and its angles in radians: T · R, or R · T if it `rotates_first`.
+    fn parent_from_joint(
+        &self,
+        translation: DVec3,
+        radians: DVec3,
+        rotates_first: bool,
+    ) -> DAffine3 {
         let angles = radians * DVec3::from_array(self.angles);
         let angles = match self.units {
             AngleUnits::Radians => angles,
@@ -323,7 +333,7 @@ impl JointFormula {
         }
         DAffine3 {
             matrix3: rotation,
-            translation: if self.rotates_first {
+            translation: if rotates_first {
                 rotation * translation
             } else {
                 translation

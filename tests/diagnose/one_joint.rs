@@ -1,7 +1,7 @@
 //! Skeletons of which one line is read wrong: a joint that hangs on a wrong parent, or has a wrong offset.
 
 use crate::diagnose::figures::{Figure, turned, written};
-use crate::diagnose::student::{RIGHT, with};
+use crate::diagnose::student::{RIGHT, Student, with};
 use editor_core::diagnose::Verdict;
 use glam::{EulerRot, Quat, Vec3};
 use proptest::prelude::*;
@@ -189,4 +189,37 @@ proptest! {
             prop_assert!(found.mistakes[0].how.starts_with(&named), "{}", case);
         }
     }
+}
+
+#[test]
+fn a_root_that_is_turned_about_the_origin_is_not_a_mesh_that_was_moved() {
+    for name in ["adult", "dog"] {
+        let figure = Figure::builtin(name, turned(57));
+        let root = figure.parents.iter().position(Option::is_none).unwrap();
+        let [x, y, z] = figure.degrees[root].to_array().map(f32::to_radians);
+        let turn = Quat::from_euler(EulerRot::XYZ, x, y, z);
+        let away = turn * figure.offsets[root] - figure.offsets[root];
+        assert!(away.length() > 0.01, "{name}: {away}");
+        let theirs: Vec<Vec3> = RIGHT.skin(&figure).iter().map(|at| *at + away).collect();
+        let found = figure.diagnose(&written(&theirs, 6));
+        assert_eq!(found.causes, ["root-rotated-before-translation"], "{found}");
+        assert_eq!(found.mistakes[0].section, "3.4 Sliders");
+    }
+}
+
+#[test]
+fn two_joints_with_each_others_weights_are_named() {
+    let figure = Figure::builtin("adult", turned(58));
+    let exchange = Student {
+        joint_of_column: |column| match column + 1 {
+            13 => 14,
+            14 => 13,
+            joint => joint,
+        },
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&exchange.skin(&figure), 6));
+    assert_eq!(found.causes, ["weights-exchanged"], "{found}");
+    let told = "weights-exchanged: two joints have each other's weights (Right shoulder (13) and Right elbow (14))";
+    assert!(found.to_string().starts_with(told), "{found}");
 }

@@ -80,6 +80,8 @@ pub(in crate::ui) fn show(
     chosen
 }
 
+/// Share of right vertices above which a mesh is in the pose that it is held against.
+const MOSTLY_RIGHT: f64 = 0.5;
 /// Said once a pose is taken that others may be as well.
 const SHARED_TURN: &str = "Joints in one place share a turn, and this mesh does not tell how. Another mesh may: for that, \
                            load the file of the pose, if there is one";
@@ -274,12 +276,21 @@ impl Parts<'_> {
         if found.is_empty() && diagnosis.other_pose.is_none() {
             let text = "No known mistake gives this mesh in this pose, nor do two of them.";
             say(ui, text, palette.strong);
-            let text = format!(
-                "Was {} made from this character, in this pose? If it was made in another pose, load that one.",
-                self.compare.name
-            );
-            say(ui, &text, palette.text);
-            self.load_pose(ui);
+            let name = self.compare.name;
+            if diagnosis.agrees > MOSTLY_RIGHT {
+                let percent = (100.0 * diagnosis.agrees).floor();
+                let text = format!(
+                    "{percent} % of its vertices are right, so {name} is in this pose: what is wrong is at the joints \
+                     below."
+                );
+                say(ui, &text, palette.text);
+            } else {
+                let text = format!(
+                    "Was {name} made from this character, in this pose? If it was made in another pose, load that one."
+                );
+                say(ui, &text, palette.text);
+                self.load_pose(ui);
+            }
         }
         if let Some(nearest) = &diagnosis.nearest {
             let text = format!(
