@@ -88,6 +88,24 @@ fn stand_beside(session: &Session, shapes: &mut [NewShape], mut beside: Vec3, bo
     }
 }
 
+/// Lifts figures that are to be added onto the ground of what is seen, where they would sink below it: it would follow them
+/// down, and leave everything else in the air. Only if the view shows a ground.
+pub fn lift_onto_ground(session: &Session, shapes: &mut [NewShape]) {
+    if !session.view().has_ground() || shapes.iter().find_map(NewShape::front).is_none() {
+        return;
+    }
+    let heights = standing(session).into_iter().map(|one| one.bounds.min.y);
+    let ground = heights.fold(f32::INFINITY, f32::min);
+    let bounds = bounds_of(shapes);
+    let up = ground - bounds.min.y;
+    if up.is_finite() && up > OFF_THE_GROUND * bounds.size().y {
+        for shape in shapes {
+            shape.placement.transform.position.y += up;
+            shape.start.transform.position.y += up;
+        }
+    }
+}
+
 /// `shapes` of several files, of which the next so many are from one each, so that none stands in those of a file
 /// before it: placed as by [`set_among`] one file after the other.
 pub fn set_beside_each_other(

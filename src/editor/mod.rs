@@ -24,7 +24,9 @@ mod shape_turn;
 mod step_name;
 mod swing;
 
-pub use among::{kept_on_ground, set_among, set_beside_each_other, set_beside_figures};
+pub use among::{
+    kept_on_ground, lift_onto_ground, set_among, set_beside_each_other, set_beside_figures,
+};
 pub use apply::{Change, EditError, apply};
 pub use constraint::Constraint;
 pub use control_point_drag::{ControlPointDrag, control_point_at};

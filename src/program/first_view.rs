@@ -2,7 +2,7 @@
 
 use super::running::Program;
 use crate::character::Facing;
-use crate::editor::{View, set_among};
+use crate::editor::{View, lift_onto_ground, set_among};
 use crate::io;
 use crate::math::Aabb;
 use crate::render::MANNEQUIN_LIGHT;
@@ -123,6 +123,7 @@ impl Program {
         self.make_neutral(shapes, view.look);
         if self.comparison.is_none() {
             set_among(&self.session, shapes, &view.camera);
+            lift_onto_ground(&self.session, shapes);
         }
         None
     }

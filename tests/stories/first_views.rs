@@ -76,6 +76,27 @@ fn what_is_inserted_beside_a_figure_stands_on_its_ground_and_all_of_it_is_seen()
 }
 
 #[test]
+fn a_figure_that_is_inserted_stands_on_the_ground_of_the_shapes_that_are_there() {
+    let mut story = Story::start(&["builtin:gear"]);
+    let lowest = |story: &Story, at: usize| {
+        let shown = &story.session().evaluated().shapes[at];
+        shown.world_bounds().min.y
+    };
+    let ground = lowest(&story, 0);
+    story.click("Insert");
+    story.click("Built-in Character");
+    story.click("Adult");
+    assert!((lowest(&story, 1) - ground).abs() < 1e-4, "at its hips");
+    // In the course's look it is where the course's editor has it.
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    story.key(Key::F2);
+    story.click("Insert");
+    story.click("Built-in Character");
+    story.click("Adult");
+    assert!(lowest(&story, 1) < ground - 0.3);
+}
+
+#[test]
 fn what_is_inserted_stands_beside_the_figure_that_would_hide_it() {
     for key in [Key::C, Key::S, Key::P] {
         let mut story = Story::start(&["builtin:adult"]);
@@ -417,7 +438,9 @@ fn a_figure_stays_where_its_file_has_it_while_it_is_compared_or_where_nothing_is
         .program
         .carry_out(vec![insert.clone()], &mut story.host);
     story.settle();
-    assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+    // Lifted onto the ground, if that.
+    let place = story.shape().placement.transform.position;
+    assert_eq!(place.with_y(0.0), Vec3::ZERO);
     story.key(Key::F8);
     story.choose("reference.png");
     story.program.carry_out(vec![insert], &mut story.host);
