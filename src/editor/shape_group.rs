@@ -8,7 +8,7 @@ use glam::{DMat3, DVec3, Vec3};
 pub const SCALES: (f32, f32) = (0.001, 10_000.0);
 
 /// The selected shapes as they were when a gesture began, to be turned or scaled together about the
-/// pivot of the active one. Those that are hidden or locked stay as they are.
+/// middle of their pivots. Those that are hidden or locked stay as they are.
 #[derive(Clone, Debug)]
 pub struct ShapeGroup {
     active: ShapeId,
@@ -30,18 +30,23 @@ impl ShapeGroup {
             shape.is_some_and(|shape| shape.pickable)
         };
         let rotation = active.placement.transform.rotation;
-        let shown = session.evaluated().shape(active.id)?;
-        let pivot = shown.world_from_model.transform_point3(pivot_of(shown));
-        let all = session.selected_shapes();
+        let free = || session.selected_shapes().filter(|shape| is_free(shape.id));
+        let shown = free().filter_map(|shape| session.evaluated().shape(shape.id));
+        let pivots: Vec<Vec3> = shown
+            .map(|shown| shown.world_from_model.transform_point3(pivot_of(shown)))
+            .collect();
+        // Exactly the pivot of one alone.
+        let pivot = match pivots[..] {
+            [] => return None,
+            [one] => one,
+            _ => pivots.iter().sum::<Vec3>() / pivots.len() as f32,
+        };
         is_free(active.id).then(|| Self {
             active: active.id,
             pivot,
             floor: ground_below(session, active.id).unwrap_or(pivot.y),
             own: rotation.to_dmat3(),
-            shapes: all
-                .filter(|shape| is_free(shape.id))
-                .map(|shape| (shape.id, shape.placement))
-                .collect(),
+            shapes: free().map(|shape| (shape.id, shape.placement)).collect(),
         })
     }
 
@@ -50,7 +55,7 @@ impl ShapeGroup {
         self.active
     }
 
-    /// Pivot of the active shape, in the world: all turn and grow about it.
+    /// Middle of the pivots of all, in the world: they turn and grow about it. Exactly the pivot of one alone.
     pub fn pivot(&self) -> Vec3 {
         self.pivot
     }

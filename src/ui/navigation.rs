@@ -188,6 +188,7 @@ const WHERE_SHADING_IS: &str =
     "Shading, colors and looks are chosen in View, looks also beside the axes";
 const NOTHING_REPEATS: &str =
     "Nothing repeats what was done last. Edit ⏵ Reset puts a shape back to the start";
+const WHERE_LOCAL_VIEW_IS: &str = "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back";
 const NO_ORTHOGRAPHIC: &str = "The camera is always in perspective: there is no orthographic view";
 
 impl Navigation {
@@ -229,6 +230,7 @@ impl Navigation {
             Self::Mannequin => None,
             Self::Blender if is_pressed(&[Key::Num5]) => Some(NO_ORTHOGRAPHIC),
             Self::Blender if is_pressed_with(Modifiers::SHIFT, &[Key::R]) => Some(NOTHING_REPEATS),
+            Self::Blender if is_pressed(&[Key::Slash]) => Some(WHERE_LOCAL_VIEW_IS),
             Self::Blender if is_pressed(&[Key::Z]) => Some(WHERE_SHADING_IS),
             _ if look == Look::Mannequin && is_pressed(OF_THE_MANNEQUIN) => Some(WHY_NOTHING),
             _ => None,
