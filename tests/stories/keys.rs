@@ -41,6 +41,57 @@ fn all_that_is_hidden_is_shown_in_one_step() {
 }
 
 #[test]
+fn what_is_shown_again_leaves_the_active_shape_active_and_a_posed_figure_alone() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let figure = story.shape().id;
+    story.key_with(SHIFT, Key::C);
+    story.key(Key::H);
+    let select = Action::View(View::Select(Some(figure)));
+    story.program.carry_out(vec![select], &mut story.host);
+    story.settle();
+    story.key_with(ALT, Key::H);
+    assert_eq!(story.session().selected(), Some(figure), "still active");
+    assert_eq!(story.session().selected_shapes().count(), 2);
+    story.key_with(CTRL, Key::Z);
+    let select = Action::View(View::Select(Some(figure)));
+    story.program.carry_out(vec![select], &mut story.host);
+    story.key(Key::B);
+    story.key_with(ALT, Key::H);
+    assert_eq!(story.session().selected_shapes().count(), 1, "it is posed");
+}
+
+#[test]
+fn keys_of_blender_that_do_nothing_here_say_where_that_is() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let placed = story.shape().placement;
+    for (modifiers, key, told) in [
+        (
+            Modifiers::NONE,
+            Key::Num5,
+            "The camera is always in perspective",
+        ),
+        (
+            Modifiers::NONE,
+            Key::Z,
+            "Shading, colors and looks are chosen in View",
+        ),
+        (
+            Modifiers::NONE,
+            Key::Slash,
+            "There is no local view: Edit ⏵ Hide Others",
+        ),
+        (SHIFT, Key::R, "Nothing repeats what was done last"),
+    ] {
+        story.key_with(modifiers, key);
+        let (severity, last) = *story.messages().last().unwrap();
+        assert_eq!(severity, Severity::Info);
+        assert!(last.starts_with(told), "{key:?}: {last}");
+    }
+    assert_eq!(story.shape().placement, placed);
+}
+
+#[test]
 fn everything_is_fitted_whatever_is_selected_and_by_home_in_blenders_navigation() {
     let mut story = Story::start(&[]);
     story.key_with(SHIFT, Key::C);
