@@ -115,8 +115,29 @@ pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnosti
 /// much memory as the [`Picture`], or as its pixels as they are stored if these are more.
 ///
 /// # Errors
-/// If it is none of these, is damaged, has too many pixels, or there is not enough memory for it.
+/// If it is none of these, is damaged or cut off, has too many pixels, or there is not enough memory for it.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
+    let picture = decode_what_is_there(path, bytes)?;
+    match bytes.starts_with(&[0xff, 0xd8]) && !has_end_of_jpeg(bytes) {
+        true => Err(Diagnostic::new(
+            path,
+            "expected a whole JPEG picture, found one that is damaged or cut short (it has no end)",
+        )),
+        false => Ok(picture),
+    }
+}
+
+/// Whether the marker of the end comes after the last scan of a JPEG; a picture within it may end before.
+fn has_end_of_jpeg(bytes: &[u8]) -> bool {
+    let last = |marker: [u8; 2]| bytes.windows(2).rposition(|pair| pair == marker);
+    last([0xff, 0xd9]) > last([0xff, 0xda])
+}
+
+/// As [`decode`], but of a JPEG that is cut off what is there, as browsers show it: models may have such pictures.
+///
+/// # Errors
+/// As [`decode`], but for that.
+pub(super) fn decode_what_is_there(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
     let Opened {
         format,
         decoder,
@@ -324,6 +345,12 @@ mod tests {
             let told = told(&bytes[..bytes.len() / 3]);
             assert!(told.starts_with(&start), "{told}");
         }
+        // The decoder takes what there is of a JPEG.
+        let jpeg = encode(&gradient(), PictureFormat::Jpeg).unwrap();
+        let cut = &jpeg[..jpeg.len() - 20];
+        assert!(told(cut).ends_with("(it has no end)"), "{}", told(cut));
+        let picture = decode_what_is_there(Path::new("a"), cut).unwrap();
+        assert_eq!((picture.width, picture.height), (16, 8));
     }
 
     /// A PNG of these pixels.

@@ -57,7 +57,7 @@ impl<'a> Pictures<'a> {
             );
             return Err(Diagnostic::new(path, message));
         };
-        let picture = image::decode(path, &bytes)?;
+        let picture = image::decode_what_is_there(path, &bytes)?;
         self.left = left;
         Ok(Arc::new(picture))
     }
