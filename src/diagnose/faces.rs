@@ -38,7 +38,15 @@ pub struct FaceDifference {
     /// polygons that are cut along other diagonals are not known to.
     #[serde(rename = "triangles_turned")]
     pub turned: usize,
+    /// Of a mesh that nothing explains, how many of its triangles are the character's, if hardly any is.
+    #[serde(rename = "triangles_same", skip_serializing_if = "Option::is_none")]
+    pub same: Option<usize>,
 }
+
+/// Share of the character's triangles below which a mesh hardly has any of them.
+const HARDLY_ANY: f64 = 0.05;
+/// Fewest triangles of which a few are hardly any.
+const FEWEST: usize = 40;
 
 impl FaceDifference {
     /// The difference of `theirs`, about whose vertices so much is `found`, from a model.
@@ -57,7 +65,12 @@ impl FaceDifference {
         if knows_which_is_which {
             Self::of_same_vertices(model, theirs, pace).await
         } else {
-            Self::of_counts(model, theirs)
+            let counted = Self::of_counts(model, theirs);
+            let is_unexplained = found.verdict == Verdict::Unexplained;
+            Self {
+                same: counted.same.filter(|_| is_unexplained),
+                ..counted
+            }
         }
     }
 
@@ -94,17 +107,23 @@ impl FaceDifference {
             missing: missing.len() - same,
             other: other.len() - same,
             turned,
+            same: None,
         }
     }
 
     /// The difference of meshes of which it is not known which vertex is which: their numbers alone tell.
     fn of_counts(model: &[Triangle], theirs: &[Triangle]) -> Self {
+        let (known, has): (BTreeSet<_>, BTreeSet<_>) =
+            (sorted(model).collect(), sorted(theirs).collect());
+        let same = known.intersection(&has).count();
+        let is_another = has.len() >= FEWEST && (same as f64) < HARDLY_ANY * known.len() as f64;
         let triangles = sorted(model).count();
         Self {
             triangles,
             missing: triangles.saturating_sub(sorted(theirs).count()),
             other: 0,
             turned: 0,
+            same: Some(same).filter(|_| is_another),
         }
     }
 
@@ -128,6 +147,7 @@ impl fmt::Display for FaceDifference {
             missing,
             other,
             turned,
+            same: _,
         } = *self;
         let is = |count: usize| if count == 1 { "is" } else { "are" };
         if missing > 0 {
@@ -375,6 +395,7 @@ mod tests {
                 missing,
                 other,
                 turned,
+                same: None,
             };
             difference.to_string()
         };

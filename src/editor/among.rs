@@ -197,7 +197,7 @@ fn lowest_point(shape: &NewShape) -> f32 {
 
 /// Bounds of shapes that are in no scene yet, in the world. Those that are hidden take their place,
 /// too.
-pub(super) fn bounds_of(shapes: &[NewShape]) -> Aabb {
+pub fn bounds_of(shapes: &[NewShape]) -> Aabb {
     let alone = evaluated_alone(shapes);
     let all = alone.shapes.iter();
     all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))

@@ -63,9 +63,9 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
-    /// Of the joints that are turned or moved in another pose or in that of the test, the share that are as the test asks,
-    /// 0 to 1; 0 without another pose.
-    pub as_asked: f64,
+    /// Of the joints that the test's pose turns or moves, the share that another pose does as well, 0 to 1; 0 without
+    /// another pose, and where that is the one of another test.
+    pub posed: f64,
     /// A PNG that shows what is off, as Base64.
     pub picture: Option<String>,
 }
@@ -81,7 +81,7 @@ impl Graded {
             nearly: Vec::new(),
             error: None,
             agrees: 0.0,
-            as_asked: 0.0,
+            posed: 0.0,
             picture: None,
         }
     }
@@ -96,7 +96,7 @@ impl Graded {
                 "another test: this is exactly the result of {name}, so that the file may have the wrong name"
             ),
             hint: Some(format!("the result of {name}")),
-            as_asked: 0.0,
+            posed: 0.0,
             ..self
         }
     }

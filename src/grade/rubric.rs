@@ -17,8 +17,9 @@ const OF_ANGLES: &str = "3.4";
 /// What a pose that was not applied leaves unless the rubric says otherwise. All of a result rests on it: a mesh that is
 /// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it does.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
-/// Share of its joints from which on another pose shows all that the test asks for but some angles.
-const MOSTLY_AS_ASKED: f64 = 0.5;
+/// Share of the joints that a test's pose turns from which on another pose, which turns these as well, shows all that the
+/// test asks for but some angles.
+const MOSTLY_POSED: f64 = 0.5;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
 /// mistake in skinning.
 const LEFT_BY_LITTLE: &[(&str, f64)] = &[
@@ -110,7 +111,7 @@ fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
 
 /// What the exact result of another pose counts as.
 pub(super) fn of_other_pose(graded: &Graded) -> &'static str {
-    if graded.as_asked >= MOSTLY_AS_ASKED {
+    if graded.posed >= MOSTLY_POSED {
         RIGHT_BUT_FOR_JOINTS
     } else {
         OTHER_POSE
@@ -340,8 +341,8 @@ pub(super) mod tests {
     #[test]
     fn a_slip_in_one_joint_of_the_pose_costs_as_much_as_a_mistake_in_its_angles() {
         let mut rubric = RubricData::default();
-        let of_pose = |as_asked| Graded {
-            as_asked,
+        let of_pose = |posed| Graded {
+            posed,
             agrees: 0.8,
             ..Graded::without(Outcome::OtherPose, "")
         };

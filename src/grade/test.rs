@@ -176,15 +176,15 @@ impl Test {
         }
     }
 
-    /// Of the joints that are turned or moved in the test's pose or in `other`, the share that are as the test asks.
-    fn as_asked(&self, other: &OtherPose) -> f64 {
-        let is_asked = |joint: &usize| {
-            self.pose.rotation(*joint) != Euler::ZERO || self.pose.root_offset(*joint) != Vec3::ZERO
+    /// Of the joints that are turned or moved in the test's pose, the share that are in `other` as well.
+    fn posed_share(&self, other: &OtherPose) -> f64 {
+        let moves = |pose: &Pose, joint: usize| {
+            pose.rotation(joint) != Euler::ZERO || pose.root_offset(joint) != Vec3::ZERO
         };
-        let differs = |joint: usize| other.joints.iter().any(|one| one.joint_index == joint);
-        let asked = (0..self.character.skeleton().joints().len()).filter(is_asked);
-        let right = asked.filter(|&joint| !differs(joint)).count();
-        right as f64 / (right + other.joints.len()) as f64
+        let joints = 0..self.character.skeleton().joints().len();
+        let asked: Vec<usize> = joints.filter(|&joint| moves(&self.pose, joint)).collect();
+        let posed = asked.iter().filter(|&&joint| moves(&other.pose, joint));
+        posed.count() as f64 / asked.len().max(1) as f64
     }
 
     /// Whether a mesh has the vertices of the exact result of this test, of which the files may be pictures.
@@ -223,10 +223,10 @@ impl Test {
             hint: hint(found),
             causes,
             nearly: nearly(found).into_iter().map(str::to_owned).collect(),
-            as_asked: found
+            posed: found
                 .other_pose
                 .as_ref()
-                .and_then(|other| rounded(self.as_asked(other)))
+                .and_then(|other| rounded(self.posed_share(other)))
                 .unwrap_or(0.0),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
@@ -285,7 +285,7 @@ impl Test {
                 true => vec![RIGHT_BUT_FOR_FEW.to_owned()],
                 false => Vec::new(),
             },
-            as_asked: 0.0,
+            posed: 0.0,
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
             picture: if found.verdict == Verdict::Right {
                 None

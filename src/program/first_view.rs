@@ -2,7 +2,7 @@
 
 use super::running::Program;
 use crate::character::Facing;
-use crate::editor::{View, lift_onto_ground, set_among};
+use crate::editor::{View, bounds_of, lift_onto_ground, set_among};
 use crate::io;
 use crate::math::Aabb;
 use crate::render::MANNEQUIN_LIGHT;
@@ -20,6 +20,8 @@ const ABOVE_TEXTURES: f32 = 0.5;
 /// Angle between the front and where textures are seen from in the Mannequin look, in radians. Its light comes
 /// from behind what has its front at +Z.
 const ASIDE: f32 = 0.9;
+/// Depth of shapes by their width and height from which on they are seen from aside.
+const DEEP: f32 = 2.0;
 /// Width over height of the course's window.
 const COURSE_ASPECT: f32 = 4.0 / 3.0;
 /// Least share of the course's picture that a character takes up there, to be seen well.
@@ -85,6 +87,9 @@ impl Program {
         view.camera = if view.look == Look::Mannequin && shapes.iter().any(is_textured) {
             let lit = beside(front(shapes), MANNEQUIN_LIGHT);
             view.camera.facing(lit, ABOVE_TEXTURES)
+        } else if hides_itself(shapes, front(shapes)) {
+            let aside = Quat::from_rotation_y(-ASIDE) * front(shapes);
+            view.camera.facing(aside, ABOVE)
         } else {
             view.camera.facing(front(shapes), ABOVE)
         };
@@ -240,6 +245,14 @@ fn beside(front: Vec3, light: Vec3) -> Vec3 {
     } else {
         other
     }
+}
+
+/// Whether shapes are so deep, seen from the front, that most of them is behind their nearest part.
+fn hides_itself(shapes: &[NewShape], front: Vec3) -> bool {
+    let size = bounds_of(shapes).size();
+    let depth = size.dot(front.abs());
+    let across = size.dot(front.cross(Vec3::Y).abs());
+    depth > DEEP * across.max(size.y)
 }
 
 /// The front of the first character among `shapes`, in the world; +Z if there is none.

@@ -23,6 +23,7 @@ fn difference(triangles: usize, missing: usize, other: usize) -> FaceDifference 
         missing,
         other,
         turned: 0,
+        same: None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::editor::{Constraint, GizmoAxes};
 use crate::ui::number_field::evaluate;
-use egui::{Context, Event, Key};
+use egui::{Context, Event, FocusDirection, Key};
 
 /// Most characters of a number: more are not exact anyway.
 const LONGEST: usize = 12;
@@ -36,6 +36,8 @@ pub(in crate::ui) struct Typed {
     constraint: Option<Constraint>,
     /// Whether its key was pressed again: then it is one of the other kind of axes.
     other_axes: bool,
+    /// Whether Tab was pressed, after which Blender has the number of the next axis: nothing is added to this one.
+    is_ended: bool,
     /// Whether Enter was pressed.
     confirmed: bool,
 }
@@ -61,6 +63,10 @@ impl Typed {
                 _ => true,
             });
         });
+        if self.is_ended && !before.is_ended {
+            // The same key would give the keyboard to a widget.
+            ctx.memory_mut(|memory| memory.move_focus(FocusDirection::None));
+        }
         if *self != before {
             ctx.request_repaint();
         }
@@ -82,6 +88,8 @@ impl Typed {
             Key::Y => self.choose(along(1)),
             Key::Z => self.choose(along(2)),
             Key::Enter => self.confirmed = true,
+            Key::Tab => self.is_ended = true,
+            Key::Backspace if self.is_ended => self.is_ended = false,
             Key::Backspace => {
                 if self.text.pop().is_none() {
                     self.constraint = None;
@@ -95,6 +103,9 @@ impl Typed {
 
     /// Takes a character of the number, if it is one.
     fn push(&mut self, typed: char) {
+        if self.is_ended {
+            return;
+        }
         let ends_in_digit = self.text.ends_with(|last: char| last.is_ascii_digit());
         match typed {
             '-' | '−' => {
@@ -159,6 +170,18 @@ mod tests {
             assert!(typed.take(key, false), "{key:?}");
         }
         typed
+    }
+
+    #[test]
+    fn after_tab_nothing_is_added_to_the_number_until_backspace() {
+        let mut typed = Typed::default();
+        "0.4".chars().for_each(|digit| typed.push(digit));
+        assert!(typed.take(Key::Tab, false));
+        "0.2".chars().for_each(|digit| typed.push(digit));
+        assert_eq!(typed.amount(), Some(0.4));
+        assert!(typed.take(Key::Backspace, false));
+        typed.push('5');
+        assert_eq!(typed.amount(), Some(0.45));
     }
 
     #[test]
