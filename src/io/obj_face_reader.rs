@@ -183,6 +183,13 @@ impl FaceReader {
             (_, 0) => Some("faces (lines `f a b c`)"),
             _ => None,
         };
+        let expected = self.expected_vertices.filter(|_| self.counts[0] > 0);
+        if let (Some(_), Some(expected)) = (nothing, expected) {
+            let found = self.counts[0];
+            let message =
+                format!("expected {expected} vertices, or faces, found {found} vertices alone");
+            return Err(scanner.error(scanner.end(), message));
+        }
         if let Some(nothing) = nothing {
             let cut = match scanner.is_at_open_end() {
                 true => format!(" before the end of the file: {CUT_OFF}"),

@@ -14,13 +14,55 @@ use glam::{Mat4, Vec3};
 use std::path::Path;
 use std::time::Duration;
 
+/// How many times as far vertices are from another character on average, at least, for a mesh to be far nearer to one.
+const FAR_NEARER: f64 = 4.0;
+
 impl Program {
-    /// Compares a character with the mesh at `path` from now on. One that cannot be a pose of it
-    /// changes nothing, and is told.
+    /// Compares a character with the mesh at `path` from now on, or another one to which that is far nearer. One that
+    /// cannot be a pose of it changes nothing, and is told.
     pub(super) fn compare_with_mesh(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         if let Err(why) = self.try_to_compare_with_mesh(shape, path, files) {
-            self.tell(Severity::Error, why);
+            return self.tell(Severity::Error, why);
         }
+        let theirs = self.mesh_comparison.as_ref().map(MeshComparison::theirs);
+        let nearer = theirs.and_then(|theirs| self.nearer_character(shape, &theirs));
+        if let Some(nearer) = nearer
+            && self.try_to_compare_with_mesh(nearer, path, files).is_ok()
+        {
+            let name = |id| {
+                self.session
+                    .scene()
+                    .shape(id)
+                    .map_or("", |shape| &shape.name)
+            };
+            let text = format!(
+                "{} is compared with {}, to which it is far nearer than to {}",
+                file_name(path),
+                name(nearer),
+                name(shape)
+            );
+            self.tell(Severity::Info, text);
+        }
+    }
+
+    /// Another character that is seen and has as many vertices, to which a mesh is far nearer, if there is one.
+    fn nearer_character(&self, shape: ShapeId, theirs: &[Vec3]) -> Option<ShapeId> {
+        let mean = |id: ShapeId| {
+            let character = self.session.scene().character(id)?;
+            let shown = self
+                .session
+                .evaluated()
+                .shape(id)
+                .filter(|shown| shown.visible)?;
+            let is_linear = character.skinning_method() == SkinningMethod::LinearBlend;
+            let measured = measure(&character.character, shown.geometry.positions(), theirs);
+            Some(measured.filter(|_| is_linear)?.mean)
+        };
+        let own = mean(shape)?;
+        let shapes = self.session.scene().shapes().iter();
+        let others = shapes.filter_map(|other| Some((other.id, mean(other.id)?)));
+        let nearest = others.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        (nearest.1 * FAR_NEARER < own).then_some(nearest.0)
     }
 
     /// Compares the character of the comparison with the mesh at `path` as it is now. Where that is not possible, the

@@ -183,7 +183,7 @@ fn vertices_alone_are_enough_if_they_are_all() {
     assert_eq!((ran.code, &*ran.err), (Some(0), warning), "{}", ran.out);
     fs::write(folder.path().join("points.txt"), "v 1 1 0\nv 0.25 0.5 0\n").unwrap();
     let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
-    let told = "points.txt:2:13: expected faces (lines `f a b c`), found none";
+    let told = "points.txt:2:13: expected 3 vertices, or faces, found 2 vertices alone";
     assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
 }
 

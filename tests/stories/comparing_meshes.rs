@@ -751,6 +751,27 @@ fn a_comparison_is_with_linear_blending_alone() {
 }
 
 #[test]
+fn of_two_characters_the_one_is_compared_that_the_mesh_is_far_nearer_to() {
+    let mut story = Story::start(&["builtin:dog", "builtin:dog"]);
+    let shapes = story.session().scene().shapes().iter();
+    let ids: Vec<_> = shapes.map(|shape| shape.id).collect();
+    let rename = Edit::Rename(ids[0], "Rex".to_owned());
+    let pose = Edit::SetPose(ids[0], dog().pose());
+    let session = story.program.session_mut();
+    session.edit(Edit::Together(vec![rename, pose])).unwrap();
+    session.look(View::Select(Some(ids[1])));
+    story.settle();
+    let mesh = mine(&dog(), &RIGHT);
+    story.host.files.insert("mine.obj".into(), mesh);
+    story.key_with(Modifiers::SHIFT, Key::F8);
+    story.choose("mine.obj");
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
+    assert!(story.has_text("mine.obj is compared with Rex, to which it is far nearer than to Dog"));
+    text(&story, "mine.obj against the exact Rex");
+}
+
+#[test]
 fn without_its_character_the_comparison_ends() {
     let mut story = comparing(&RIGHT);
     story.key(Key::Delete);

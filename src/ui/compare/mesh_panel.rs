@@ -98,7 +98,10 @@ impl Parts<'_> {
             }
             let other = named(ui.add(Button::new("Open…")), "Compare with another mesh");
             if other.on_hover_text("Compare with another mesh").clicked() {
-                self.ask(CompareMeshAction::Choose(self.compare.shape));
+                let selected = self.session.selected();
+                let character = selected.filter(|&id| self.session.scene().character(id).is_some());
+                let shape = character.unwrap_or(self.compare.shape);
+                self.ask(CompareMeshAction::Choose(shape));
             }
             ui.with_layout(
                 Layout::left_to_right(Align::Min).with_main_wrap(true),
