@@ -27,6 +27,11 @@ pub struct Formula {
     pub written: [f64; 3],
     /// A joint that a program has otherwise than the file.
     pub other_joint: Option<OtherJoint>,
+    /// Whether each joint hangs on the one that is visited before it, its children before its next sibling, in T and in B:
+    /// the matrix stack is never popped.
+    pub hangs_on_visited: [bool; 2],
+    /// Whether the sum begins with the vertex at rest.
+    pub begins_at_rest: bool,
 }
 
 /// A joint as no file has it, in T and in B.
@@ -222,6 +227,8 @@ pub enum Columns {
     BeforeWithoutFirst,
     /// The one after, which the last column lacks.
     After,
+    /// Its own, but for that of one joint, which counts for none.
+    Without(usize),
     /// Its own, but for two joints, each of which has the other's.
     Exchanged(usize, usize),
 }
@@ -307,6 +314,8 @@ impl Default for Formula {
             vertex_order: VertexOrder::File,
             written: [1.0; 3],
             other_joint: None,
+            hangs_on_visited: [false; 2],
+            begins_at_rest: false,
         }
     }
 }

@@ -60,12 +60,42 @@ pub(super) static WEIGHTS_EXCHANGED: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake with the matrix stack.
+pub(super) static STACK_NOT_POPPED: Mistake = Mistake {
+    id: "stack-not-popped",
+    meaning: "the matrix stack is not popped, so that each joint hangs on the one that was visited before it",
+    section: SKELETON,
+    look_at: "the end of the recursion over a joint's children: each push needs its pop",
+    readings: &[],
+};
+
+/// A mistake in the weighted sum.
+pub(super) static SUM_BEGUN_AT_REST: Mistake = Mistake {
+    id: "sum-begun-at-rest",
+    meaning: "the sum for each vertex begins with its place at rest instead of 0",
+    section: SSD,
+    look_at: "updateMeshVertices: the vertex is set to 0 before what the joints give is added",
+    readings: &[],
+};
+
+/// A mistake in the weights of one joint, which is found joint by joint.
+pub(super) static JOINT_LEFT_OUT: Mistake = Mistake {
+    id: "joint-left-out",
+    meaning: "the weights of one joint are left out",
+    section: SSD,
+    look_at: "updateMeshVertices: the loop over the joints, from the first to the last",
+    readings: &[],
+};
+
 /// Mistakes that are found otherwise than by making them in every way.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 6] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 9] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
     &ROOT_ROTATED_FIRST,
     &WEIGHTS_EXCHANGED,
+    &STACK_NOT_POPPED,
+    &SUM_BEGUN_AT_REST,
+    &JOINT_LEFT_OUT,
 ];

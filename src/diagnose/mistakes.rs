@@ -293,7 +293,7 @@ pub static MISTAKES: &[Mistake] = &[
         meaning: "joints have no offset from their parents",
         section: SKELETON,
         look_at: "setJointTransform and where the .skel file is read: the fourth column of a joint's \
-                  transform must stay its offset",
+                  transform must stay its offset; and where a vertex gets its fourth coordinate, which is 1",
         readings: &[
             reading("in T and in B", |formula| {
                 formula.joint.has_offset = false;

@@ -5,7 +5,8 @@
 use super::as_good;
 use super::formula::{Columns, Formula, OtherJoint, VertexOrder};
 use super::found_otherwise::{
-    ONE_WRONG_OFFSET, ONE_WRONG_PARENT, ROOT_ROTATED_FIRST, WEIGHTS_EXCHANGED,
+    JOINT_LEFT_OUT, ONE_WRONG_OFFSET, ONE_WRONG_PARENT, ROOT_ROTATED_FIRST, STACK_NOT_POPPED,
+    SUM_BEGUN_AT_REST, WEIGHTS_EXCHANGED,
 };
 use super::mistakes::{Mistake, Reading};
 use super::search::{Explanation, Made, Search};
@@ -51,12 +52,13 @@ pub(super) async fn find(
         exact,
     };
     let joints = lines.joints();
-    if let Some(root) = lines.root_rotated_first(pace).await {
-        return vec![root];
+    if let Some(whole) = lines.whole_program(pace).await {
+        return vec![whole];
     }
-    let exchanged = lines.exchanged_weights(pace).await;
-    if !exchanged.is_empty() {
-        return exchanged;
+    let mut of_weights = lines.exchanged_weights(pace).await;
+    of_weights.extend(lines.left_out(pace).await);
+    if !of_weights.is_empty() {
+        return of_weights;
     }
     let parents = lines.wrong_parents(&joints, size, pace).await;
     let offsets = lines.wrong_offsets(&joints, pace).await;
@@ -79,11 +81,68 @@ impl Lines<'_> {
         self.search.sample.iter().filter(off).copied().collect()
     }
 
-    /// Roots that are turned before they are moved, if that gives the mesh.
-    async fn root_rotated_first(&self, pace: &Pace) -> Option<Explanation> {
-        let mut formula = self.formula();
-        formula.joint.roots_rotate_first = true;
-        self.given_by(&formula, &ROOT_ROTATED_FIRST, pace).await
+    /// A mistake of the whole program that is hardly ever made beside another one, if one gives the mesh: roots that are
+    /// turned before they are moved, a stack that is not popped, a sum that begins with the vertex.
+    async fn whole_program(&self, pace: &Pace) -> Option<Explanation> {
+        let with = |change: &dyn Fn(&mut Formula)| {
+            let mut formula = self.formula();
+            change(&mut formula);
+            formula
+        };
+        let visited = |in_each| with(&|formula| formula.hangs_on_visited = in_each);
+        for (formula, mistake, how) in [
+            (
+                with(&|formula| formula.joint.roots_rotate_first = true),
+                &ROOT_ROTATED_FIRST,
+                None,
+            ),
+            (visited([true; 2]), &STACK_NOT_POPPED, Some("in T and in B")),
+            (visited([true, false]), &STACK_NOT_POPPED, Some("in T")),
+            (visited([false, true]), &STACK_NOT_POPPED, Some("in B")),
+            (
+                with(&|formula| formula.begins_at_rest = true),
+                &SUM_BEGUN_AT_REST,
+                None,
+            ),
+        ] {
+            if let Some(given) = self.given_by(&formula, mistake, pace).await {
+                return Some(Explanation {
+                    how: how.map(str::to_owned),
+                    ..given
+                });
+            }
+        }
+        None
+    }
+
+    /// Joints whose weights are left out, where that gives the mesh.
+    async fn left_out(&self, pace: &Pace) -> Vec<Explanation> {
+        let model = self.search.model;
+        let off = self.off();
+        let Some(&first) = off.first() else {
+            return Vec::new();
+        };
+        let moving = |vertex: usize| {
+            let row = model.source(self.order, vertex).weights;
+            model.influences(row).iter().map(|one| one.joint as usize)
+        };
+        let mut found = Vec::new();
+        for joint in moving(first) {
+            if !off
+                .iter()
+                .all(|&vertex| moving(vertex).any(|one| one == joint))
+            {
+                continue;
+            }
+            let mut formula = self.formula();
+            formula.weights.columns = Columns::Without(joint);
+            let given = self.given_by(&formula, &JOINT_LEFT_OUT, pace).await;
+            found.extend(given.map(|explanation| Explanation {
+                how: Some(self.named(Some(joint))),
+                ..explanation
+            }));
+        }
+        found
     }
 
     /// Joints that have each other's weights, where that gives the mesh.

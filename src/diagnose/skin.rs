@@ -2,8 +2,8 @@
 
 use super::choices::choices;
 use super::formula::{
-    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, OtherJoint, Rescaled,
-    Rows, WeightFormula,
+    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept, OtherJoint,
+    Rescaled, Rows, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -89,7 +89,12 @@ impl<'a> Skinner<'a> {
             bind
         } else {
             keep(influences, self.formula.weights, &mut self.kept);
-            self.sum(bind, &self.kept)
+            let begun = if self.formula.begins_at_rest {
+                bind
+            } else {
+                DVec3::ZERO
+            };
+            begun + self.sum(bind, &self.kept)
         };
         Placed {
             at: at * DVec3::from_array(self.formula.written),
@@ -195,7 +200,13 @@ impl Joints {
                 angles_of[joint] = index;
             }
         }
-        let tree = Tree::new(model, formula.other_joint);
+        let [tree, bind_tree] = formula.hangs_on_visited.map(|hangs_on_visited| {
+            let tree = Tree::new(model, formula.other_joint);
+            match hangs_on_visited {
+                true => tree.on_visited(model.joints_by(JointsBy::Depth)),
+                false => tree,
+            }
+        });
         let offset = |joint: usize| tree.offsets[joint];
         let own = &formula.joint;
         let current = tree.chained(formula.chain, |joint| {
@@ -210,11 +221,11 @@ impl Joints {
                     translation += pose.root_offset(joint).as_dvec3();
                 }
             }
-            let is_root = tree.parents[joint].is_none();
+            let is_root = model.skeleton().joints()[joint].parent.is_none();
             let rotates_first = own.rotates_first || own.roots_rotate_first && is_root;
             own.parent_from_joint(translation, angles, rotates_first)
         });
-        let bind = tree.chained(formula.bind_chain, |joint| {
+        let bind = bind_tree.chained(formula.bind_chain, |joint| {
             let has_offset = f64::from(own.has_bind_offset);
             own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO, false)
         });
@@ -245,6 +256,8 @@ impl Joints {
             Columns::Before => index.checked_sub(1)?,
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
             Columns::After => index + 1,
+            Columns::Without(joint) if index == joint => return None,
+            Columns::Without(_) => index,
             Columns::Exchanged(a, b) if index == a => b,
             Columns::Exchanged(a, b) if index == b => a,
             Columns::Exchanged(..) => index,
@@ -295,6 +308,15 @@ impl Tree {
             tree.order = others.into_iter().chain(moved).collect();
         }
         tree
+    }
+
+    /// The same joints, each of which hangs on the one before it in `visited`.
+    fn on_visited(mut self, visited: Vec<usize>) -> Self {
+        for pair in visited.windows(2) {
+            self.parents[pair[1]] = Some(pair[0]);
+        }
+        self.order = visited;
+        self
     }
 
     /// The transform of each joint from `own`, relative to its parent.

@@ -63,8 +63,8 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
-    /// Of the joints that the test's pose turns or moves, the share that another pose does as well, 0 to 1; 0 without
-    /// another pose, and where that is the one of another test.
+    /// Of the joints that the test's pose or another one turns or moves, the share that both do, 0 to 1; 0 without another
+    /// pose, and where that is the one of another test.
     pub posed: f64,
     /// A PNG that shows what is off, as Base64.
     pub picture: Option<String>,

@@ -17,8 +17,8 @@ const OF_ANGLES: &str = "3.4";
 /// What a pose that was not applied leaves unless the rubric says otherwise. All of a result rests on it: a mesh that is
 /// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it does.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
-/// Share of the joints that a test's pose turns from which on another pose, which turns these as well, shows all that the
-/// test asks for but some angles.
+/// Share of the joints that a test's pose or another one turns from which on the other one, where both do, shows all that
+/// the test asks for but some angles.
 const MOSTLY_POSED: f64 = 0.5;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
 /// mistake in skinning.

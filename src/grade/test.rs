@@ -13,7 +13,7 @@ use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
     MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8,
-    read_posed_obj,
+    read_posed_vertices,
 };
 use crate::math::Euler;
 use base64::Engine;
@@ -129,8 +129,8 @@ impl Test {
         }
         let no_numbers = NoNumbers::find(bytes);
         let readable = no_numbers.as_ref().map_or(bytes, |found| &found.without);
-        let vertices = self.character.bind_mesh().positions.len();
-        let read = read_posed_obj(Path::new(&name), readable, vertices);
+        let model = self.character.bind_mesh();
+        let read = read_posed_vertices(Path::new(&name), readable, model);
         let (theirs, mut warnings) = match read {
             Ok(read) => (
                 read.value,
@@ -176,15 +176,16 @@ impl Test {
         }
     }
 
-    /// Of the joints that are turned or moved in the test's pose, the share that are in `other` as well.
+    /// Of the joints that are turned or moved in the test's pose or in `other`, the share that are in both.
     fn posed_share(&self, other: &OtherPose) -> f64 {
         let moves = |pose: &Pose, joint: usize| {
             pose.rotation(joint) != Euler::ZERO || pose.root_offset(joint) != Vec3::ZERO
         };
         let joints = 0..self.character.skeleton().joints().len();
-        let asked: Vec<usize> = joints.filter(|&joint| moves(&self.pose, joint)).collect();
-        let posed = asked.iter().filter(|&&joint| moves(&other.pose, joint));
-        posed.count() as f64 / asked.len().max(1) as f64
+        let in_each = joints.map(|joint| [&self.pose, &other.pose].map(|pose| moves(pose, joint)));
+        let in_any: Vec<[bool; 2]> = in_each.filter(|moved| moved.contains(&true)).collect();
+        let in_both = in_any.iter().filter(|moved| !moved.contains(&false));
+        in_both.count() as f64 / in_any.len().max(1) as f64
     }
 
     /// Whether a mesh has the vertices of the exact result of this test, of which the files may be pictures.

@@ -223,3 +223,54 @@ fn two_joints_with_each_others_weights_are_named() {
     let told = "weights-exchanged: two joints have each other's weights (Right shoulder (13) and Right elbow (14))";
     assert!(found.to_string().starts_with(told), "{found}");
 }
+
+#[test]
+fn a_stack_that_is_not_popped_is_named() {
+    let visit = |wrong: &mut Figure| {
+        let parents = wrong.parents.clone();
+        let mut stack: Vec<usize> = (0..parents.len())
+            .rev()
+            .filter(|&j| parents[j].is_none())
+            .collect();
+        let mut visited: Vec<usize> = Vec::new();
+        while let Some(joint) = stack.pop() {
+            if let Some(&before) = visited.last() {
+                wrong.parents[joint] = Some(before);
+            }
+            visited.push(joint);
+            stack.extend(
+                (0..parents.len())
+                    .rev()
+                    .filter(|&j| parents[j] == Some(joint)),
+            );
+        }
+    };
+    let figure = Figure::builtin("adult", turned(59));
+    let theirs = with_skeleton("adult", 59, visit);
+    let found = figure.diagnose(&written(&theirs, 6));
+    assert_eq!(found.causes, ["stack-not-popped"], "{found}");
+    assert!(found.to_string().contains("(in T and in B)"), "{found}");
+}
+
+#[test]
+fn a_sum_that_begins_with_the_vertex_and_one_without_a_joint_are_named() {
+    let figure = Figure::builtin("adult", turned(60));
+    let begun = RIGHT.skin(&figure);
+    let begun: Vec<Vec3> = begun
+        .iter()
+        .zip(&figure.positions)
+        .map(|(sum, rest)| *sum + *rest)
+        .collect();
+    let found = figure.diagnose(&written(&begun, 6));
+    assert_eq!(found.causes, ["sum-begun-at-rest"], "{found}");
+    let without_last = Student {
+        weights: |mut weights| {
+            weights.retain(|(joint, _)| *joint != 17);
+            weights
+        },
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&without_last.skin(&figure), 6));
+    assert_eq!(found.causes, ["joint-left-out"], "{found}");
+    assert!(found.to_string().contains("(Left elbow (17))"), "{found}");
+}

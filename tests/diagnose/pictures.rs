@@ -157,11 +157,11 @@ fn specks_of_a_figure_tell_no_mistake_though_one_that_draws_nothing_there_would_
 #[test]
 fn a_file_that_is_neither_a_mesh_nor_a_picture_is_told_to_be_that() {
     let folder = folder(&Figure::builtin("adult", turned(46)), &[]);
-    std::fs::write(folder.path().join("a.txt"), "words").unwrap();
-    let expected = "a.txt: expected a mesh (.obj) or a PNG, JPEG or GIF picture, found a file of another kind\n";
+    std::fs::write(folder.path().join("a.csv"), "words").unwrap();
+    let expected = "a.csv: expected a mesh (.obj) or a PNG, JPEG or GIF picture, found a file of another kind\n";
     for line in [
-        "diagnose a.txt --character builtin:adult --pose pose.json",
-        "compare a.txt a.txt",
+        "diagnose a.csv --character builtin:adult --pose pose.json",
+        "compare a.csv a.csv",
     ] {
         let ran = run(&folder, line);
         let told = ran.err.ends_with(expected);

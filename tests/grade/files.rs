@@ -176,7 +176,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("max", "explained", "right but for its triangles: "),
         ("una", "explained", "right but for its triangles: "),
         ("eli", "explained", "euler-zyx: "),
-        ("ned", "explained", "right but for its triangles: "),
+        ("ned", "right", "right: this is the exact result"),
         (
             "zoe",
             "unreadable",
