@@ -78,7 +78,7 @@ pub(super) async fn import_with(
         Importer::Character if file_access::extension(path) == "dae" => {
             import_any_by(files, path, pace).await
         }
-        Importer::Shape => import_shape_by(files, path, pace).await,
+        Importer::Shape => Ok(shapes_without_bones(files, path, pace).await?.0),
         Importer::Character => import_character_by(files, path, pace).await,
         Importer::Curve => import_curve(files, path),
     }
@@ -174,7 +174,8 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
     at_once(|pace| async move { import_shape_by(files, path, &pace).await })
 }
 
-/// As [`import_shape`], at a pace that is told of bytes.
+/// As [`import_shape`], at a pace that is told of bytes. That bones are left out is a warning, since who chose this may
+/// have meant the character.
 ///
 /// # Errors
 /// As [`import_shape`].
@@ -183,6 +184,21 @@ pub(super) async fn import_shape_by(
     path: &Path,
     pace: &Pace,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    let (mut shapes, leaves_bones) = shapes_without_bones(files, path, pace).await?;
+    if leaves_bones {
+        let message = "expected a shape, found a character: its bones are left out. Insert ⏵ Import ⏵ Import \
+                       Character… brings them along";
+        shapes.warnings.push(Diagnostic::new(path, message));
+    }
+    Ok(shapes)
+}
+
+/// The shapes that [`import_shape`] finds, and whether there are bones that they leave out.
+async fn shapes_without_bones(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<(Imported<Vec<NewShape>>, bool), Diagnostic> {
     let file = to_open(path)?;
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
@@ -191,15 +207,16 @@ pub(super) async fn import_shape_by(
             let mesh = read_shape_obj_by(&recorder, &file, bytes, pace).await?;
             let source = source(&recorder, path, Importer::Shape);
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
-            Ok(mesh.map(|mesh| vec![new_shape(source, kind(mesh))]))
+            let shape = mesh.map(|mesh| vec![new_shape(source, kind(mesh))]);
+            Ok((shape, false))
         }
         "dae" => {
             let read = read_dae_by(&recorder, &file, pace).await?;
             let characters = read.value.characters.iter();
             let with_mesh =
                 characters.filter(|found| !found.character.bind_mesh().positions.is_empty());
-            let left_out = with_mesh.count() > 0;
-            let mut shapes = read.map(|scene| {
+            let leaves_bones = with_mesh.count() > 0;
+            let shapes = read.map(|scene| {
                 let shapes = shapes_of(source(&recorder, path, Importer::Shape), scene);
                 let rigid = shapes.into_iter().map(|shape| {
                     let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
@@ -211,12 +228,7 @@ pub(super) async fn import_shape_by(
                 let with_mesh = rigid.filter(|shape| !shape.kind.mesh().positions.is_empty());
                 with_mesh.collect()
             });
-            if left_out {
-                let message = "expected a shape, found a character: its bones are left out. Insert ⏵ Import ⏵ \
-                               Import Character… brings them along";
-                shapes.warnings.push(Diagnostic::new(path, message));
-            }
-            Ok(shapes)
+            Ok((shapes, leaves_bones))
         }
         extension => Err(cannot_open(files, path, extension, "a shape", WITH_MESHES)),
     }

@@ -20,6 +20,8 @@ const ABOVE_TEXTURES: f32 = 0.5;
 /// Angle between the front and where textures are seen from in the Mannequin look, in radians. Its light comes
 /// from behind what has its front at +Z.
 const ASIDE: f32 = 0.9;
+/// Part of a figure that is added that has to be in the picture.
+const WHOLE: f32 = 0.75;
 /// Depth of shapes by their width and height from which on they are seen from aside.
 const DEEP: f32 = 2.0;
 /// Width over height of the course's window.
@@ -152,7 +154,12 @@ impl Program {
             let shapes = added.iter().filter_map(|&id| evaluated.shape(id));
             let bounds = shapes.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
             let camera = &self.session.view().camera;
-            let is_seen = camera.sees(&bounds, self.fit_area.aspect);
+            let aspect = self.fit_area.aspect;
+            let scene = self.session.scene();
+            let mut fronts = added.iter().filter_map(|&id| scene.shape(id)?.front());
+            // A figure that fills the view is too near, and hides what was there; a room may be all around.
+            let is_whole = fronts.next().is_none() || camera.seen_part(&bounds, aspect) >= WHOLE;
+            let is_seen = camera.sees(&bounds, aspect) && is_whole;
             self.fit_due |= !is_seen && !bounds.is_empty();
         }
     }

@@ -97,6 +97,27 @@ fn a_figure_that_is_inserted_stands_on_the_ground_of_the_shapes_that_are_there()
 }
 
 #[test]
+fn a_figure_that_would_fill_the_view_is_seen_whole() {
+    let mut story = Story::start(&["builtin:dog"]);
+    let mut camera = story.session().view().camera;
+    // From where the next one is going to stand.
+    camera = camera.facing(Vec3::X, 0.2);
+    story.program.session_mut().look(View::SetCamera(camera));
+    story.settle();
+    story.click("Insert");
+    story.click("Built-in Character");
+    story.click("Adult");
+    let bounds = story.session().evaluated().shapes[1].world_bounds();
+    let view = story.view();
+    let seen = story
+        .session()
+        .view()
+        .camera
+        .seen_part(&bounds, view.width() / view.height());
+    assert!(seen > 0.7, "{seen}");
+}
+
+#[test]
 fn what_is_inserted_stands_beside_the_figure_that_would_hide_it() {
     for key in [Key::C, Key::S, Key::P] {
         let mut story = Story::start(&["builtin:adult"]);

@@ -312,7 +312,7 @@ fn a_ring_turns_and_a_handle_scales_and_a_number_typed_meanwhile_counts() {
 }
 
 #[test]
-fn all_that_is_selected_turns_and_grows_about_the_active_shape() {
+fn all_that_is_selected_turns_and_grows_about_its_middle() {
     let mut story = Story::with_cube_in_blender();
     story.key_with(Modifiers::SHIFT, Key::S);
     story.type_into("Position X", "2");
@@ -326,16 +326,20 @@ fn all_that_is_selected_turns_and_grows_about_the_active_shape() {
     assert!(
         cube(&story)
             .position
-            .abs_diff_eq(Vec3::new(2.0, -2.0, 0.0), 1e-5)
+            .abs_diff_eq(Vec3::new(1.0, -1.0, 0.0), 1e-5)
     );
     assert!((cube(&story).rotation.degrees().z - 90.0).abs() < 1e-3);
-    assert_eq!(story.transform().position, Vec3::X * 2.0);
+    let sphere = story.transform().position;
+    assert!(
+        sphere.abs_diff_eq(Vec3::new(1.0, 1.0, 0.0), 1e-5),
+        "{sphere}"
+    );
     assert_eq!(story.done(), Some("Rotate 2 shapes"));
     story.keys(&[Key::S, Key::Num3, Key::Enter]);
     assert!(
         cube(&story)
             .position
-            .abs_diff_eq(Vec3::new(2.0, -6.0, 0.0), 1e-5)
+            .abs_diff_eq(Vec3::new(1.0, -3.0, 0.0), 1e-5)
     );
     assert_eq!(cube(&story).scale, Vec3::splat(3.0));
     story.key_with(Modifiers::COMMAND, Key::Z);
