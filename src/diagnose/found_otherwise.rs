@@ -1,4 +1,5 @@
-//! Mistakes that are found otherwise than by making them: in the faces of a mesh, and in one line of a skeleton.
+//! Mistakes that are found otherwise than by making each in every way, and beside every other: in the faces of a mesh,
+//! and those that are hardly made beside another one.
 
 use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD};
 
@@ -87,7 +88,7 @@ pub(super) static JOINT_LEFT_OUT: Mistake = Mistake {
     readings: &[],
 };
 
-/// Mistakes that are found otherwise than by making them in every way.
+/// All of them.
 pub(super) static FOUND_OTHERWISE: [&Mistake; 9] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,

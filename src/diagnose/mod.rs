@@ -9,6 +9,7 @@ mod faces;
 mod formula;
 mod found_otherwise;
 mod job;
+mod made_alone;
 mod measure;
 mod mistaken;
 mod mistakes;
@@ -23,6 +24,7 @@ mod regions;
 mod search;
 mod silhouette;
 mod skin;
+mod triangles;
 mod vertex_formula;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
@@ -178,7 +180,7 @@ async fn diagnose_vertices(
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
-        explanations = one_joint::find(&search, order, &exact, size, pace).await;
+        explanations = made_alone::find(&search, order, &exact, size, pace).await;
     }
     if explanations.is_empty() {
         explanations = search.pairs(&alone, pace).await;

@@ -85,16 +85,18 @@ pub fn diagnose_picture(
         off_within: search.off_within,
         is_scattered: false,
     };
+    if error > TOLERANCE && search.is_scattered {
+        found.verdict = Verdict::Unexplained;
+        found.is_scattered = true;
+        return Ok(found);
+    }
     let singles = search.singles();
     if error <= TOLERANCE {
         let unseen = alike(&singles, error).len();
         found.sure = 1.0 - unseen as f64 / MISTAKES.len() as f64;
         return Ok(found);
     }
-    if search.is_scattered {
-        found.verdict = Verdict::Unexplained;
-        found.is_scattered = true;
-    } else if least(&singles) <= TOLERANCE {
+    if least(&singles) <= TOLERANCE {
         found.explain(&singles);
     } else {
         found.explain(&search.pairs(&singles, TOLERANCE));

@@ -74,7 +74,12 @@ impl<'a> Skinner<'a> {
             .kept
             .iter()
             .filter_map(|&(index, weight)| Some(DMat3::from_mat4(self.palette[index]?) * weight));
-        written * parts.fold(DMat3::ZERO, |sum, part| sum + part)
+        let begun = if self.formula.begins_at_rest {
+            DMat3::IDENTITY
+        } else {
+            DMat3::ZERO
+        };
+        written * parts.fold(begun, |sum, part| sum + part)
     }
 
     /// The vertex at `index` of those that it writes.
@@ -89,12 +94,7 @@ impl<'a> Skinner<'a> {
             bind
         } else {
             keep(influences, self.formula.weights, &mut self.kept);
-            let begun = if self.formula.begins_at_rest {
-                bind
-            } else {
-                DVec3::ZERO
-            };
-            begun + self.sum(bind, &self.kept)
+            self.sum(bind, &self.kept)
         };
         Placed {
             at: at * DVec3::from_array(self.formula.written),
@@ -102,14 +102,19 @@ impl<'a> Skinner<'a> {
         }
     }
 
-    /// The weighted sum of where joints move `bind`.
+    /// The weighted sum of where joints move `bind`, from where the formula begins it.
     fn sum(&self, bind: DVec3, weights: &[(usize, f64)]) -> DVec3 {
         let divided = self.formula.divided;
         let moved = weights.iter().filter_map(|&(index, weight)| {
             Some(divided.each(self.palette[index]? * bind.extend(1.0)) * weight)
         });
         let sum: DVec4 = moved.sum();
-        sum.xyz() * divided.factor(sum)
+        let begun = if self.formula.begins_at_rest {
+            bind
+        } else {
+            DVec3::ZERO
+        };
+        begun + sum.xyz() * divided.factor(sum)
     }
 
     /// How far `theirs` is from the vertex at `index` of those that it writes; from the nearest place where programs

@@ -6,6 +6,7 @@
 mod canvas;
 mod csv;
 mod graded;
+mod mistake_section;
 mod name;
 mod no_numbers;
 mod page;

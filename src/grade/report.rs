@@ -1,6 +1,7 @@
 //! What a class has, as data.
 
 use super::graded::{Graded, Outcome};
+use super::mistake_section::number;
 use super::name::Name;
 use super::section::{Section, cents, in_cents, notes, points_by_section, sections};
 use super::{rubric, why};
@@ -223,7 +224,7 @@ impl Submission {
 fn elsewhere(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
     let counted = rubric::counted_elsewhere(test, graded, rubric).into_iter();
     let told = counted.map(|(mistake, section)| {
-        let own = rubric::number(mistake.section);
+        let own = number(mistake.section);
         format!(
             "{} counts against {section}, since the test has no points for {own}",
             mistake.id

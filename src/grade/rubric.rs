@@ -1,21 +1,17 @@
 //! Points by the rubric.
 
 use super::graded::{Graded, Outcome};
+use super::mistake_section::{number, own_section, section_of};
 use crate::diagnose::{Mistake, POSE_NOT_APPLIED};
 use crate::io::{
     MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
     RubricData, TestData,
 };
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// The section in which posed meshes are made: a file that is nearly right does not show in which section the mistake is.
-const OF_POSED_MESHES: &str = "4.2";
-/// The section in which angles come to joints.
-const OF_ANGLES: &str = "3.4";
-
 /// What a pose that was not applied leaves unless the rubric says otherwise. All of a result rests on it: a mesh that is
-/// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it does.
+/// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it
+/// does.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// Share of the joints that a test's pose or another one turns from which on the other one, where both do, shows all that
 /// the test asks for but some angles.
@@ -118,15 +114,6 @@ pub(super) fn of_other_pose(graded: &Graded) -> &'static str {
     }
 }
 
-/// The section that a mistake, or a file that is nearly right, is of.
-pub(super) fn own_section(id: &str) -> &'static str {
-    match (Mistake::find(id), id) {
-        (Some(mistake), _) => mistake.section,
-        (None, RIGHT_BUT_FOR_JOINTS) => OF_ANGLES,
-        (None, _) => OF_POSED_MESHES,
-    }
-}
-
 /// Whether something unexplained that is nearly right has more points as what is wrong with it than by its vertices.
 pub(super) fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
     let as_mistakes = left_by(&graded.nearly, test, rubric);
@@ -164,48 +151,6 @@ fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<Str
         }
     }
     left
-}
-
-/// The section of a test in which a mistake of the section `own` of the assignment costs points: that one, or else the one
-/// with the nearest number, of two as near the later one, which builds upon it; where no section has a number, the one
-/// with the most points. `None` in a test without sections.
-pub(super) fn section_of<'a>(own: &str, test: &'a TestData) -> Option<&'a str> {
-    let own = parts_of(own)?;
-    let apart = |section: &&String| {
-        let (chapter, part) = parts_of(section)?;
-        let is_before = (chapter, part) < own;
-        let part_apart = match chapter.cmp(&own.0) {
-            Ordering::Equal => part.abs_diff(own.1),
-            // Nearest are the last of a chapter before and the first of one after.
-            Ordering::Less => u32::MAX - part,
-            Ordering::Greater => part,
-        };
-        Some((chapter.abs_diff(own.0), part_apart, is_before))
-    };
-    let numbered = test
-        .points
-        .keys()
-        .filter(|section| apart(section).is_some());
-    let nearest = numbered.min_by_key(apart).map(String::as_str);
-    nearest.or_else(|| largest(test))
-}
-
-/// The section of a test with the most points.
-fn largest(test: &TestData) -> Option<&str> {
-    let sections = test.points.iter();
-    let largest = sections.reduce(|most, other| if other.1 > most.1 { other } else { most });
-    largest.map(|(section, _)| section.as_str())
-}
-
-/// Chapter and part of a section such as `4.2 SSD`.
-fn parts_of(section: &str) -> Option<(u32, u32)> {
-    let (chapter, part) = number(section).split_once('.')?;
-    Some((chapter.parse().ok()?, part.parse().ok()?))
-}
-
-/// The number of a section such as `4.2 SSD`.
-pub(super) fn number(section: &str) -> &str {
-    section.split(' ').next().unwrap_or(section)
 }
 
 #[cfg(test)]

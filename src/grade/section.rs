@@ -1,7 +1,7 @@
 //! Sections of the assignment, and the points that submissions have in them.
 
+use super::mistake_section::number;
 use super::report::GradedTest;
-use super::rubric;
 use crate::diagnose::MISTAKES;
 use crate::io::TestsFile;
 use serde::Serialize;
@@ -56,7 +56,7 @@ pub(super) fn sections(file: &TestsFile) -> Vec<Section> {
         let data = file.rubric.sections.get(name).cloned().unwrap_or_default();
         let of_course = || {
             let mut sections = MISTAKES.iter().map(|mistake| mistake.section);
-            let section = sections.find(|section| rubric::number(section) == name);
+            let section = sections.find(|section| number(section) == name);
             section
                 .and_then(|section| section.split_once(' '))
                 .map_or("", |(_, title)| title)

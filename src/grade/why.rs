@@ -1,9 +1,8 @@
 //! Why results have the points that they have, in sentences for who made them.
 
 use super::graded::{Graded, Outcome};
-use super::rubric::{
-    counted, counts_as_mistakes, number, of_other_pose, own_section, section_of, share_left,
-};
+use super::mistake_section::{number, own_section, section_of};
+use super::rubric::{counted, counts_as_mistakes, of_other_pose, share_left};
 use crate::diagnose::POSE_NOT_APPLIED;
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 

@@ -212,10 +212,9 @@ async fn shapes_without_bones(
         }
         "dae" => {
             let read = read_dae_by(&recorder, &file, pace).await?;
-            let characters = read.value.characters.iter();
-            let with_mesh =
-                characters.filter(|found| !found.character.bind_mesh().positions.is_empty());
-            let leaves_bones = with_mesh.count() > 0;
+            let mut characters = read.value.characters.iter();
+            let leaves_bones =
+                characters.any(|found| !found.character.bind_mesh().positions.is_empty());
             let shapes = read.map(|scene| {
                 let shapes = shapes_of(source(&recorder, path, Importer::Shape), scene);
                 let rigid = shapes.into_iter().map(|shape| {

@@ -34,8 +34,7 @@ pub fn read_posed_obj(
     at_once(|pace| async move { read_mesh(path, bytes, faces, &pace).await })
 }
 
-/// As [`read_posed_obj`], of a mesh with the vertices of `model`: without faces it gets those of the model, with a
-/// warning.
+/// As [`read_posed_obj`], of a mesh with the vertices of `model`, whose faces it gets if it has none.
 ///
 /// # Errors
 /// As [`read_character_obj`].
@@ -45,12 +44,19 @@ pub fn read_posed_vertices(
     model: &Mesh,
 ) -> Result<Imported<Mesh>, Diagnostic> {
     let mut read = read_posed_obj(path, bytes, model.positions.len())?;
-    if read.value.triangles.is_empty() {
-        read.value.triangles.clone_from(&model.triangles);
-        let message = "found no faces (lines `f a b c`): taken to be those of the model";
-        read.warnings.push(Diagnostic::new(path, message));
-    }
+    let warning = take_faces_of(model, path, &mut read.value);
+    read.warnings.extend(warning);
     Ok(read)
+}
+
+/// Gives a mesh that was read from `path` without faces those of `model`, and says so in a warning.
+pub fn take_faces_of(model: &Mesh, path: &Path, read: &mut Mesh) -> Option<Diagnostic> {
+    if !read.triangles.is_empty() {
+        return None;
+    }
+    read.triangles.clone_from(&model.triangles);
+    let message = "found no faces (lines `f a b c`): taken to be those of the model";
+    Some(Diagnostic::new(path, message))
 }
 
 /// As [`read_character_obj`], at a pace that is told of bytes.

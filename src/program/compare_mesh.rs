@@ -21,28 +21,87 @@ impl Program {
     /// Compares a character with the mesh at `path` from now on, or another one to which that is far nearer. One that
     /// cannot be a pose of it changes nothing, and is told.
     pub(super) fn compare_with_mesh(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
-        if let Err(why) = self.try_to_compare_with_mesh(shape, path, files) {
-            return self.tell(Severity::Error, why);
-        }
-        let theirs = self.mesh_comparison.as_ref().map(MeshComparison::theirs);
-        let nearer = theirs.and_then(|theirs| self.nearer_character(shape, &theirs));
-        if let Some(nearer) = nearer
-            && self.try_to_compare_with_mesh(nearer, path, files).is_ok()
-        {
-            let name = |id| {
-                self.session
-                    .scene()
-                    .shape(id)
-                    .map_or("", |shape| &shape.name)
-            };
+        let theirs = match self.read_mesh_of(shape, path, files) {
+            Ok(theirs) => theirs,
+            Err(why) => return self.tell(Severity::Error, why),
+        };
+        let nearer = match self.is_placed_like(shape, &theirs) {
+            Some(_) => None,
+            None => self.nearer_character(shape, &theirs.positions),
+        };
+        self.begin_mesh_comparison(nearer.unwrap_or(shape), path, theirs);
+        if let Some(nearer) = nearer {
             let text = format!(
                 "{} is compared with {}, to which it is far nearer than to {}",
                 file_name(path),
-                name(nearer),
-                name(shape)
+                self.name_of(nearer),
+                self.name_of(shape)
             );
             self.tell(Severity::Info, text);
         }
+    }
+
+    /// Compares the character of the comparison with the mesh at `path` as it is now. Where that is not possible, the
+    /// panel says so in place of what was found out about the version before.
+    pub(super) fn compare_with_mesh_anew(
+        &mut self,
+        shape: ShapeId,
+        path: &Path,
+        files: &dyn Files,
+    ) {
+        let read = if files.exists(path) {
+            self.read_mesh_of(shape, path, files)
+        } else {
+            Err(format!("{} is gone.", file_name(path)))
+        };
+        match (read, &mut self.mesh_comparison) {
+            (Err(why), Some(comparison)) => comparison.problem = Some(why),
+            (Err(why), None) => self.tell(Severity::Error, why),
+            (Ok(theirs), _) => {
+                self.begin_mesh_comparison(shape, path, theirs);
+                let text = format!("{} is read and compared anew", file_name(path));
+                self.tell(Severity::Info, text);
+            }
+        }
+    }
+
+    /// Reads the mesh at `path`, which may be one of the character `shape`, in any pose.
+    ///
+    /// # Errors
+    /// With the reason in words, if it cannot be read or cannot be a pose of the character.
+    fn read_mesh_of(
+        &mut self,
+        shape: ShapeId,
+        path: &Path,
+        files: &dyn Files,
+    ) -> Result<Mesh, String> {
+        let name = file_name(path);
+        let Some(character) = self.session.scene().character(shape) else {
+            return Err(format!(
+                "{name} is not compared: the character does not exist any more"
+            ));
+        };
+        let expected = character.character.bind_mesh().positions.len();
+        let read = files
+            .read(path)
+            .and_then(|bytes| io::read_posed_obj(path, &bytes, expected))
+            .map_err(|error| error.to_string())?;
+        let found = read.value.positions.len();
+        let ours = self.name_of(shape);
+        if character.skinning_method() != SkinningMethod::LinearBlend {
+            return Err(format!(
+                "{name} is not compared with {ours}, which is skinned with dual quaternions: \
+                 choose Linear Blend in its panel"
+            ));
+        }
+        if !may_be_of(&character.character, found) {
+            return Err(format!(
+                "{} is not compared with {ours}, which has {expected} vertices: this mesh has {found}",
+                path.display()
+            ));
+        }
+        self.tell_all(Severity::Warning, read.warnings);
+        Ok(read.value)
     }
 
     /// Another character that is seen and has as many vertices, to which a mesh is far nearer, if there is one.
@@ -65,80 +124,21 @@ impl Program {
         (nearest.1 * FAR_NEARER < own).then_some(nearest.0)
     }
 
-    /// Compares the character of the comparison with the mesh at `path` as it is now. Where that is not possible, the
-    /// panel says so in place of what was found out about the version before.
-    pub(super) fn compare_with_mesh_anew(
-        &mut self,
-        shape: ShapeId,
-        path: &Path,
-        files: &dyn Files,
-    ) {
-        let compared = if files.exists(path) {
-            self.try_to_compare_with_mesh(shape, path, files)
-        } else {
-            Err(format!("{} is gone.", file_name(path)))
-        };
-        match (compared, &mut self.mesh_comparison) {
-            (Err(why), Some(comparison)) => comparison.problem = Some(why),
-            (Err(why), None) => self.tell(Severity::Error, why),
-            (Ok(()), _) => {
-                let text = format!("{} is read and compared anew", file_name(path));
-                self.tell(Severity::Info, text);
-            }
+    /// Compares the character `shape` with `theirs` from `path` from now on.
+    fn begin_mesh_comparison(&mut self, shape: ShapeId, path: &Path, mut theirs: Mesh) {
+        if let Some(character) = self.session.scene().character(shape) {
+            let model = character.character.bind_mesh();
+            let warning = io::take_faces_of(model, path, &mut theirs);
+            self.tell_all(Severity::Warning, Vec::from_iter(warning));
         }
-    }
-
-    /// # Errors
-    /// With the reason in words, if the mesh cannot be read or cannot be a pose of the character.
-    fn try_to_compare_with_mesh(
-        &mut self,
-        shape: ShapeId,
-        path: &Path,
-        files: &dyn Files,
-    ) -> Result<(), String> {
-        let ours = self.session.scene().character(shape);
-        let read = files.read(path).and_then(|bytes| match ours {
-            Some(ours) => io::read_posed_vertices(path, &bytes, ours.character.bind_mesh()),
-            None => io::read_character_obj(path, &bytes),
-        });
-        let mut theirs = match read {
-            Ok(read) => {
-                self.tell_all(Severity::Warning, read.warnings);
-                read.value
-            }
-            Err(error) => return Err(error.to_string()),
-        };
-        let scene = self.session.scene();
-        let name = file_name(path);
-        let found = theirs.positions.len();
-        let Some(character) = scene.character(shape) else {
-            return Err(format!(
-                "{name} is not compared: the character does not exist any more"
-            ));
-        };
-        let ours = scene
-            .shape(shape)
-            .map_or("the character", |shape| &shape.name);
-        if character.skinning_method() != SkinningMethod::LinearBlend {
-            return Err(format!(
-                "{name} is not compared with {ours}, which is skinned with dual quaternions: \
-                 choose Linear Blend in its panel"
-            ));
-        }
-        if !may_be_of(&character.character, found) {
-            let expected = character.character.bind_mesh().positions.len();
-            return Err(format!(
-                "{} is not compared with {ours}, which has {expected} vertices: this mesh has {found}",
-                path.display()
-            ));
-        }
-        let is_placed = self.is_placed_like(shape, &theirs);
-        if let Some(model_from_world) = is_placed {
+        if let Some(model_from_world) = self.is_placed_like(shape, &theirs) {
             for position in &mut theirs.positions {
                 *position = model_from_world.transform_point3(*position);
             }
             let text = format!(
-                "{name} has the position, rotation and scale of {ours}: it is compared without them"
+                "{} has the position, rotation and scale of {}: it is compared without them",
+                file_name(path),
+                self.name_of(shape)
             );
             self.tell(Severity::Info, text);
         }
@@ -151,7 +151,11 @@ impl Program {
         let mut comparison = MeshComparison::new(opened, shape, path.to_owned(), theirs);
         comparison.shown = shown.unwrap_or_default();
         self.mesh_comparison = Some(comparison);
-        Ok(())
+    }
+
+    fn name_of(&self, shape: ShapeId) -> &str {
+        let shape = self.session.scene().shape(shape);
+        shape.map_or("", |shape| &shape.name)
     }
 
     /// The transform that takes `theirs` to the space of the model, if it is in the world with the placement of the

@@ -86,15 +86,15 @@ impl Program {
         if has_its_keys && self.ui.look_of_new.is_none() {
             view.look = Look::Mannequin;
         }
-        view.camera = if view.look == Look::Mannequin && shapes.iter().any(is_textured) {
-            let lit = beside(front(shapes), MANNEQUIN_LIGHT);
-            view.camera.facing(lit, ABOVE_TEXTURES)
-        } else if hides_itself(shapes, front(shapes)) {
-            let aside = Quat::from_rotation_y(-ASIDE) * front(shapes);
-            view.camera.facing(aside, ABOVE)
+        let front = front(shapes);
+        let (from, above) = if view.look == Look::Mannequin && shapes.iter().any(is_textured) {
+            (beside(front, MANNEQUIN_LIGHT), ABOVE_TEXTURES)
+        } else if hides_itself(shapes, front) {
+            (Quat::from_rotation_y(-ASIDE) * front, ABOVE)
         } else {
-            view.camera.facing(front(shapes), ABOVE)
+            (front, ABOVE)
         };
+        view.camera = view.camera.facing(from, above);
         self.make_neutral(shapes, view.look);
         view
     }

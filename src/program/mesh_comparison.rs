@@ -135,11 +135,6 @@ impl MeshComparison {
         }
     }
 
-    /// Their vertices, in model space.
-    pub fn theirs(&self) -> Arc<[Vec3]> {
-        self.theirs.clone()
-    }
-
     /// File that their mesh was read from.
     pub fn path(&self) -> &Path {
         &self.path

@@ -381,8 +381,8 @@ impl Items<'_> {
     }
 }
 
-/// Whether an item is chosen, of which arrow keys take note, and which closes its menu: by itself it closes for the pointer alone, not for
-/// Return.
+/// Whether an item is chosen, of which arrow keys take note, and which closes its menu: by itself it closes for the
+/// pointer alone, not for Return.
 fn is_chosen(ui: &Ui, item: &Response) -> bool {
     menu_keys::item(item);
     let is_chosen = item.clicked();

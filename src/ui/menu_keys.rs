@@ -2,7 +2,7 @@
 //! bar, Left leaves it. egui by itself goes to whatever widget lies that way, out of the menu too.
 
 use egui::containers::menu::{MenuState, SubMenu};
-use egui::{Context, EventFilter, Id, Key, Modifiers, Response, Ui, Vec2};
+use egui::{Context, EventFilter, FocusDirection, Id, Key, Modifiers, Response, Ui, Vec2};
 
 /// Which items open menus have, and what keys have asked for.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +15,8 @@ struct MenuKeys {
     filled: Vec<usize>,
     /// Items whose submenus are open because of a key, until the pointer moves.
     held_open: Vec<Id>,
+    /// The item whose submenu a key has closed, until egui is told.
+    closes: Option<Id>,
     /// Whether the next menu that is filled gives the keyboard to its first item: one that this item opens, or any.
     enters: Option<Option<Id>>,
     /// By how many menus to go along the bar.
@@ -65,6 +67,7 @@ impl MenuKeys {
             _ => match self.last[level].opener {
                 Some(opener) => {
                     self.held_open.retain(|&held| held != opener);
+                    self.closes = Some(opener);
                     return Some(opener);
                 }
                 None => self.along_bar = Some(-1),
@@ -122,10 +125,15 @@ pub(super) fn begin(ctx: &Context) {
         Key::ArrowRight,
         Key::ArrowLeft,
     ] {
-        if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key))
-            && let Some(item) = MenuKeys::update(ctx, |keys| keys.press(key, focused))
-        {
-            ctx.memory_mut(|memory| memory.request_focus(item));
+        if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key)) {
+            let item = MenuKeys::update(ctx, |keys| keys.press(key, focused));
+            ctx.memory_mut(|memory| {
+                // egui would go on from the item to what lies that way.
+                memory.move_focus(FocusDirection::None);
+                if let Some(item) = item {
+                    memory.request_focus(item);
+                }
+            });
         }
     }
 }
@@ -201,27 +209,26 @@ fn note(response: &Response, opens: bool) {
 /// A submenu, which keys open and leave.
 pub(super) fn submenu(ui: &mut Ui, label: &str, contents: impl FnOnce(&mut Ui)) -> Response {
     let id = ui.next_auto_id();
-    let is_held = MenuKeys::update(ui.ctx(), |keys| keys.held_open.contains(&id));
+    let (is_held, closes) = MenuKeys::update(ui.ctx(), |keys| {
+        let closes = keys.closes.take_if(|closed| *closed == id).is_some();
+        (keys.held_open.contains(&id), closes)
+    });
     let menu = SubMenu::id_from_widget_id(id);
-    let was_held = Id::new("menu that a key opened").with(id);
     if is_held {
-        // egui takes an open submenu that was not shown in the last frame, or that the pointer is beside, for one to close.
+        // egui takes an open submenu that was not shown in the last frame, or that the pointer is beside, for one to
+        // close.
         MenuState::mark_shown(ui.ctx(), menu);
         MenuState::from_ui(ui, |state, _| state.open_item = Some(menu));
-    } else if ui.data(|data| data.get_temp(was_held) == Some(true)) {
+    } else if closes {
         MenuState::from_ui(ui, |state, _| {
             state.open_item = state.open_item.filter(|open| *open != menu);
         });
     }
-    ui.data_mut(|data| data.insert_temp(was_held, is_held));
-    let mut opener = None;
-    let button = ui.menu_button(label, |ui| {
-        opener = Some(id);
-        level(ui, opener, contents);
-    });
+    let button = ui.menu_button(label, |ui| level(ui, Some(id), contents));
+    let is_open = button.inner.is_some();
     let response = button.response;
     note(&response, true);
-    if response.clicked() && response.has_focus() && opener.is_some() {
+    if response.clicked() && response.has_focus() && is_open {
         MenuKeys::update(ui.ctx(), |keys| keys.open(id));
     }
     response

@@ -5,7 +5,7 @@ use editor_core::editor::View;
 use editor_core::scene::{Camera, Look, Shading, Skinning};
 use editor_core::ui::{Ask, Navigation, Screenshot, Turntable};
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::NodeT;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 #[test]
 fn every_shape_of_the_insert_menu_is_added_and_selected() {
@@ -554,18 +554,18 @@ fn a_turntable_says_why_it_cannot_be_transparent() {
     assert!(painted.iter().any(|(text, _)| text == why), "{painted:?}");
 }
 
+/// The label of what has the keyboard.
+fn focused(editor: &Editor) -> Option<String> {
+    let mut nodes = editor.harness.root().children_recursive();
+    let focused = nodes.find(|node| node.is_focused())?;
+    focused.accesskit_node().label()
+}
+
 #[test]
 fn arrow_keys_stay_in_a_menu_go_around_and_into_its_submenus_and_change_nothing_else() {
     let mut editor = Editor::with_figure();
     let figure = editor.session().scene().clone();
     editor.harness.hover_at(egui::pos2(200.0, 300.0));
-    let focused = |editor: &Editor| {
-        let node = editor.harness.root().children_recursive();
-        let mut focused = node.filter(|node| node.is_focused());
-        focused
-            .next()
-            .and_then(|node| node.accesskit_node().label())
-    };
     editor.key_with(Modifiers::SHIFT, Key::A);
     assert_eq!(focused(&editor).as_deref(), Some("Cube"));
     editor.key(Key::ArrowUp);
@@ -591,12 +591,51 @@ fn arrow_keys_stay_in_a_menu_go_around_and_into_its_submenus_and_change_nothing_
 }
 
 #[test]
+fn a_submenu_that_a_key_opened_stays_while_the_pointer_moves_until_it_is_over_another_item() {
+    let mut editor = Editor::with_figure();
+    editor.click("Insert");
+    let away = egui::pos2(20.0, 500.0);
+    editor.harness.hover_at(away);
+    editor.harness.run_steps(2);
+    editor.key(Key::ArrowUp);
+    editor.key(Key::ArrowRight);
+    assert!(editor.has("Import Curve…"));
+    let inside = editor.harness.get_by_label("Import Curve…").rect().center();
+    for at in [
+        away - egui::vec2(4.0, 4.0),
+        inside,
+        inside + egui::vec2(2.0, 0.0),
+    ] {
+        editor.harness.hover_at(at);
+        editor.harness.run_steps(4);
+        assert!(editor.has("Import Curve…"), "{at}");
+    }
+    let other = editor.harness.get_by_label("Cube").rect().center();
+    for at in [other, other + egui::vec2(1.0, 0.0)] {
+        editor.harness.hover_at(at);
+        editor.harness.run_steps(30);
+    }
+    assert!(!editor.has("Import Curve…"));
+}
+
+#[test]
+fn the_first_arrow_key_in_a_menu_goes_to_its_first_or_its_last_item() {
+    for (key, expected) in [(Key::ArrowDown, "Cube"), (Key::ArrowUp, "Import")] {
+        let mut editor = Editor::new();
+        editor.click("Insert");
+        editor.key(key);
+        assert_eq!(focused(&editor).as_deref(), Some(expected));
+    }
+}
+
+#[test]
 fn arrow_keys_go_along_the_menu_bar() {
     let mut editor = Editor::new();
     editor.click("Edit");
     editor.key(Key::ArrowDown);
     editor.key(Key::ArrowRight);
     assert!(editor.has("Cube") && !editor.has("Select All"), "Insert");
+    assert_eq!(focused(&editor).as_deref(), Some("Cube"));
     editor.key(Key::ArrowLeft);
     editor.key(Key::ArrowLeft);
     assert!(editor.has("New") && !editor.has("Cube"), "File");

@@ -214,6 +214,13 @@ fn a_file_that_is_gone_is_written_anew() {
     assert_eq!(title(&story), "a.scene — Editor");
 }
 
+/// The recent documents that the next start finds, newest first.
+fn kept_recent(story: &Story) -> Vec<String> {
+    let kept = &story.host.stored[&StorageKey::Preferences];
+    let kept: serde_json::Value = serde_json::from_slice(kept).unwrap();
+    serde_json::from_value(kept["recent"].clone()).unwrap()
+}
+
 #[test]
 fn a_document_that_the_program_is_started_with_is_a_recent_one_even_if_it_is_killed() {
     let host = crate::host::MemoryHost {
@@ -222,9 +229,7 @@ fn a_document_that_the_program_is_started_with_is_a_recent_one_even_if_it_is_kil
         ..Default::default()
     };
     let story = Story::start_at(host, &["work/a.scene"]);
-    let key = editor_core::program::StorageKey::Preferences;
-    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
-    assert_eq!(kept["recent"], serde_json::json!(["work/a.scene"]));
+    assert_eq!(kept_recent(&story), ["work/a.scene"]);
 }
 
 #[test]
@@ -238,22 +243,14 @@ fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
     story.click("Open Recent");
     story.click("a.scene");
     assert_eq!(title(&story), "a.scene — Editor");
-    let key = editor_core::program::StorageKey::Preferences;
-    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
-    assert_eq!(
-        kept["recent"],
-        serde_json::json!(["work/a.scene", "work/b.scene"])
-    );
+    assert_eq!(kept_recent(&story), ["work/a.scene", "work/b.scene"]);
 
     // Named in another way it is the same file.
     story.click("File");
     story.click("Save As…");
     story.choose("other/../work/a.scene");
-    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
-    assert_eq!(
-        kept["recent"],
-        serde_json::json!(["other/../work/a.scene", "work/b.scene"])
-    );
+    let kept = ["other/../work/a.scene", "work/b.scene"];
+    assert_eq!(kept_recent(&story), kept);
     story.click("File");
     story.click("Save As…");
     story.choose("work/a.scene");
@@ -269,8 +266,7 @@ fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
         severity == Severity::Error && text.contains("b.scene"),
         "{text}"
     );
-    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
-    assert_eq!(kept["recent"], serde_json::json!(["work/a.scene"]));
+    assert_eq!(kept_recent(&story), ["work/a.scene"]);
 }
 
 #[test]

@@ -257,6 +257,17 @@ fn hovering_changes_what_is_marked_and_not_the_document() {
     assert_eq!(story.host.cursor, Some(egui::CursorIcon::Default));
 }
 
+/// The right arrow key, as it goes down, repeats or goes up.
+fn right(pressed: bool, repeat: bool) -> egui::Event {
+    egui::Event::Key {
+        key: Key::ArrowRight,
+        physical_key: None,
+        pressed,
+        repeat,
+        modifiers: egui::Modifiers::NONE,
+    }
+}
+
 #[test]
 fn a_held_key_that_turns_the_camera_rolls_no_bone_that_comes_below_the_pointer() {
     let mut story = Story::start(&["models/strip.obj"]);
@@ -264,13 +275,6 @@ fn a_held_key_that_turns_the_camera_rolls_no_bone_that_comes_below_the_pointer()
     story.key(Key::F);
     story.click("Pose Tool");
     let bone = end_of_bone(&story, 2) + vec2(0.0, 6.0);
-    let right = |pressed, repeat| egui::Event::Key {
-        key: Key::ArrowRight,
-        physical_key: None,
-        pressed,
-        repeat,
-        modifiers: egui::Modifiers::NONE,
-    };
     story.point(bone - vec2(150.0, 0.0));
     story.settle();
     assert_eq!(story.session().hovered_joint(), None);
@@ -303,13 +307,6 @@ fn a_bone_that_is_rolled_by_a_held_key_is_one_step() {
     let bone = end_of_bone(&story, 2) + vec2(0.0, 6.0);
     story.point(bone);
     story.settle();
-    let right = |pressed, repeat| egui::Event::Key {
-        key: Key::ArrowRight,
-        physical_key: None,
-        pressed,
-        repeat,
-        modifiers: egui::Modifiers::NONE,
-    };
     let (steps, camera) = (story.session().done_steps(), story.session().view().camera);
     story.frame(vec![right(true, false)]);
     for _ in 0..10 {

@@ -35,15 +35,14 @@ pub(super) enum CommandFailure {
 #[derive(Debug, Default)]
 struct SinglePoses {
     folder: Option<ScratchFolder>,
-    count: usize,
 }
 
 impl SinglePoses {
-    /// The path of a file with the pose that `named` is, if that is one of several.
+    /// The path of a file with the pose that `named` is in the test of this number, if that is one of several.
     ///
     /// # Errors
     /// If there is no such pose, or it cannot be written.
-    fn of_several(&mut self, named: &Path) -> Result<Option<PathBuf>, CliError> {
+    fn of_several(&mut self, number: usize, named: &Path) -> Result<Option<PathBuf>, CliError> {
         let files = files();
         if pose_of_several(&files, named).is_none() {
             return Ok(None);
@@ -53,9 +52,8 @@ impl SinglePoses {
             Some(folder) => folder,
             None => ScratchFolder::new()?,
         };
-        self.count += 1;
-        let path = folder.path().join(format!("pose-{}.json", self.count));
-        self.folder = Some(folder);
+        let folder = self.folder.insert(folder);
+        let path = folder.path().join(format!("pose-{number}.json"));
         disk::write_whole(&path, pose.data().to_json().as_bytes())?;
         Ok(Some(path))
     }
@@ -74,7 +72,7 @@ impl TestCommand {
         }
         let mut given = BTreeMap::new();
         let mut poses = SinglePoses::default();
-        for test in tests {
+        for (number, test) in tests.iter().enumerate() {
             for file in [&test.character.path, &test.pose.path] {
                 if file.to_string_lossy().starts_with(builtin::PREFIX) {
                     let message = format!("expected files for a command, found {}", file.display());
@@ -85,7 +83,7 @@ impl TestCommand {
                 let file = super::beside(path, file);
                 std::path::absolute(&file).unwrap_or(file)
             };
-            let pose = match poses.of_several(&super::beside(path, &test.pose.path))? {
+            let pose = match poses.of_several(number, &super::beside(path, &test.pose.path))? {
                 Some(alone) => alone,
                 None => absolute(&test.pose.path),
             };

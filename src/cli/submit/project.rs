@@ -31,16 +31,8 @@ pub(super) fn check(folder: &Path) -> Result<(), Diagnostic> {
 /// Name of the package in `folder`, if its Cargo.toml says so.
 pub(super) fn package(folder: &Path) -> Option<String> {
     let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).ok()?;
-    let lines = manifest.lines().map(str::trim);
-    let mut package = lines
-        .skip_while(|line| *line != "[package]")
-        .skip(1)
-        .take_while(|line| !line.starts_with('['));
-    package.find_map(|line| {
-        let value = line.strip_prefix("name")?.trim_start().strip_prefix('=')?;
-        let value = value.trim_start().strip_prefix('"')?;
-        Some(value.split_once('"')?.0.to_owned())
-    })
+    let manifest: toml::Table = manifest.parse().ok()?;
+    Some(manifest.get("package")?.get("name")?.as_str()?.to_owned())
 }
 
 /// All files of the project in `folder`, by their paths in it and in their order, except what

@@ -185,11 +185,8 @@ impl Held {
             }
         };
         // A number goes along the first axis of a plane.
-        let along = |constraint: Option<Constraint>| {
-            constraint
-                .and_then(|along| along.axes().next())
-                .map_or("", letter)
-        };
+        let along = constraint.and_then(|along| along.axes().next());
+        let along = along.map_or("", letter);
         match &self.drag {
             Drag::Bone(drag) => turned(drag.angle()),
             Drag::Ring(drag) => turned(drag.angle()),
@@ -203,18 +200,17 @@ impl Held {
                 }
             }
             Drag::Move(drag) => match typed {
-                Some(typed) => format!("{}{typed}", along(constraint)),
+                Some(typed) => format!("{along}{typed}"),
                 None => {
                     let by = drag.moved();
                     format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
                 }
             },
             Drag::Ik(drag) => match typed {
-                Some(typed) => [format!("{}{typed}", along(constraint))]
-                    .into_iter()
-                    .chain(ik_trouble(drag))
-                    .collect::<Vec<_>>()
-                    .join("; "),
+                Some(typed) => match ik_trouble(drag) {
+                    Some(trouble) => format!("{along}{typed}; {trouble}"),
+                    None => format!("{along}{typed}"),
+                },
                 None => ik_readout(drag),
             },
             Drag::Stuck(..) => "a pin holds it".to_owned(),

@@ -70,12 +70,8 @@ fn with_pins(session: &Session) -> impl Iterator<Item = ShapeId> {
 
 /// Begins a drag of the grip on a bone with the pointer on `ray`.
 pub(super) fn take(session: &Session, hit: &BoneHit, screen: &Screen, ray: &Ray) -> Option<Drag> {
-    Some(lead(
-        session,
-        hit.shape,
-        IkGrip::of(session, hit, screen)?,
-        ray,
-    ))
+    let grip = IkGrip::of(session, hit, screen)?;
+    Some(lead(session, hit.shape, grip, ray))
 }
 
 /// Begins a drag of a grip with the pointer on `ray`.

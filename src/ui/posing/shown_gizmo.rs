@@ -160,8 +160,8 @@ fn scale_shapes(session: &Session, place: Place, handle: Handle, ray: &Ray) -> O
 
 /// Begins what a tool does to the selection with the pointer anywhere, which then moves it without
 /// a button: the control point that was clicked last, of a curve of the active shape, is moved; the
-/// selected joint is turned, led by inverse kinematics or its root moved where the tool for bones is chosen; else the shapes are
-/// moved, turned or scaled.
+/// selected joint is turned, led by inverse kinematics or its root moved where the tool for bones is
+/// chosen; else the shapes are moved, turned or scaled.
 pub(super) fn begin_by_key(
     session: &Session,
     state: &PoseState,

@@ -1,97 +1,12 @@
-//! Pictures as files: PNG, JPEG and GIF.
+//! Pictures read from files.
 
-use super::palette::in_few_colors;
-use super::{Diagnostic, file_access};
 use crate::geometry::Picture;
-use ::image::codecs::gif::GifEncoder;
-use ::image::codecs::jpeg::JpegEncoder;
-use ::image::codecs::png::PngEncoder;
+use crate::io::Diagnostic;
 use ::image::error::LimitErrorKind;
-use ::image::{
-    ColorType, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader,
-    Limits,
-};
+use ::image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use std::fmt;
 use std::io::Cursor;
 use std::path::Path;
-
-/// The kinds of picture that this program writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureFormat {
-    /// `.png`, exact.
-    Png,
-    /// `.jpg` or `.jpeg`, without transparency.
-    Jpeg,
-    /// `.gif`, at most 256 colors.
-    Gif,
-}
-
-/// Of 100; here differences from the original are hardly visible.
-const JPEG_QUALITY: u8 = 95;
-
-impl PictureFormat {
-    /// The format that the extension of `path` asks for.
-    ///
-    /// # Errors
-    /// If it is none of those that can be written; the message names them.
-    pub fn of(path: &Path) -> Result<Self, Diagnostic> {
-        let extension = file_access::extension(path);
-        match extension.as_str() {
-            "png" => Ok(Self::Png),
-            "jpg" | "jpeg" => Ok(Self::Jpeg),
-            "gif" => Ok(Self::Gif),
-            _ => Err(Diagnostic::new(
-                path,
-                format!(
-                    "expected a picture's name that ends in .png, .jpg or .gif, found {}",
-                    file_access::shown_extension(&extension)
-                ),
-            )),
-        }
-    }
-}
-
-/// `picture` as the content of a file.
-///
-/// # Errors
-/// If the format cannot hold it, as with a JPEG or GIF of more than 65,535 pixels a side.
-pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, String> {
-    let (width, height) = (picture.width, picture.height);
-    if picture.rgba.len() as u64 != 4 * u64::from(width) * u64::from(height) {
-        return Err(format!(
-            "expected 4 bytes for each of {width}×{height} pixels, found {}",
-            picture.rgba.len()
-        ));
-    }
-    let mut bytes = Vec::new();
-    match format {
-        PictureFormat::Png => PngEncoder::new(&mut bytes).write_image(
-            &picture.rgba,
-            width,
-            height,
-            ExtendedColorType::Rgba8,
-        ),
-        PictureFormat::Jpeg => {
-            let pixels = picture.rgba.chunks_exact(4);
-            let rgb: Vec<u8> = pixels
-                .flat_map(|rgba| [rgba[0], rgba[1], rgba[2]])
-                .collect();
-            JpegEncoder::new_with_quality(&mut bytes, JPEG_QUALITY).write_image(
-                &rgb,
-                width,
-                height,
-                ExtendedColorType::Rgb8,
-            )
-        }
-        PictureFormat::Gif => {
-            let rgba = in_few_colors(&picture.rgba, width, height)
-                .ok_or_else(|| format!("expected 4 bytes for each of {width}×{height} pixels"))?;
-            let rgba8 = ExtendedColorType::Rgba8;
-            GifEncoder::new(&mut bytes).encode(&rgba, width, height, rgba8)
-        }
-    }
-    .map_err(|error| format!("the picture cannot be written: {error}"))?;
-    Ok(bytes)
-}
 
 /// The most pixels that a picture may have that is read: as many as one of 8192×8192.
 const MOST_PIXELS: u64 = 1 << 26;
@@ -107,7 +22,7 @@ const JPEG_COEFFICIENTS: usize = 6;
 ///
 /// # Errors
 /// As [`decode`], as far as can be told.
-pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
+pub(in crate::io) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
     Ok(4 * open(path, bytes)?.pixels)
 }
 
@@ -118,11 +33,8 @@ pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnosti
 /// If it is none of these, is damaged or cut off, has too many pixels, or there is not enough memory for it.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
     let picture = decode_what_is_there(path, bytes)?;
-    match bytes.starts_with(&[0xff, 0xd8]) && !has_end_of_jpeg(bytes) {
-        true => Err(Diagnostic::new(
-            path,
-            "expected a whole JPEG picture, found one that is damaged or cut short (it has no end)",
-        )),
+    match format_of(bytes) == Some("JPEG") && !has_end_of_jpeg(bytes) {
+        true => Err(Diagnostic::new(path, no_whole("JPEG", "it has no end"))),
         false => Ok(picture),
     }
 }
@@ -137,7 +49,10 @@ fn has_end_of_jpeg(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// As [`decode`], but for that.
-pub(super) fn decode_what_is_there(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
+pub(in crate::io) fn decode_what_is_there(
+    path: &Path,
+    bytes: &[u8],
+) -> Result<Picture, Diagnostic> {
     let Opened {
         format,
         decoder,
@@ -236,7 +151,7 @@ pub fn is_picture(bytes: &[u8]) -> bool {
 }
 
 /// Name of the format of the picture that `bytes` begin as, if [`decode`] reads it.
-pub(super) fn format_of(bytes: &[u8]) -> Option<&'static str> {
+pub(in crate::io) fn format_of(bytes: &[u8]) -> Option<&'static str> {
     match ::image::guess_format(bytes) {
         Ok(ImageFormat::Png) => Some("PNG"),
         Ok(ImageFormat::Jpeg) => Some("JPEG"),
@@ -297,16 +212,21 @@ fn damaged(path: &Path, name: &str, error: &ImageError) -> Diagnostic {
             }
             _ => NO_MEMORY.to_owned(),
         },
-        error => format!(
-            "expected a whole {name} picture, found one that is damaged or cut short ({error})"
-        ),
+        error => no_whole(name, error),
     };
     Diagnostic::new(path, message)
 }
 
+fn no_whole(name: &str, why: impl fmt::Display) -> String {
+    format!("expected a whole {name} picture, found one that is damaged or cut short ({why})")
+}
+
 #[cfg(test)]
 mod tests {
+    use super::super::{PictureFormat, encode};
     use super::*;
+    use ::image::codecs::png::PngEncoder;
+    use ::image::{ExtendedColorType, ImageEncoder};
 
     fn gradient() -> Picture {
         let (width, height) = (16, 8);
@@ -408,39 +328,5 @@ mod tests {
             let worst = pairs.map(|(&a, b)| a.abs_diff(b)).max();
             assert!(worst <= Some(tolerance), "{format:?} {worst:?}");
         }
-    }
-
-    #[test]
-    fn the_extension_chooses_the_format_and_a_wrong_one_names_the_three() {
-        assert_eq!(
-            PictureFormat::of(Path::new("a.PNG")),
-            Ok(PictureFormat::Png)
-        );
-        assert_eq!(
-            PictureFormat::of(Path::new("a.jpeg")),
-            Ok(PictureFormat::Jpeg)
-        );
-        let error = PictureFormat::of(Path::new("a.bmp")).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "a.bmp: expected a picture's name that ends in .png, .jpg or .gif, found .bmp"
-        );
-    }
-
-    #[test]
-    fn what_does_not_fit_is_an_error() {
-        let wrong = Picture {
-            width: 1,
-            ..gradient()
-        };
-        assert!(encode(&wrong, PictureFormat::Png).is_err());
-        let wide = Picture {
-            width: 70_000,
-            height: 1,
-            rgba: vec![0; 280_000],
-        };
-        assert!(encode(&wide, PictureFormat::Gif).is_err());
-        assert!(encode(&wide, PictureFormat::Jpeg).is_err());
-        assert!(decode(Path::new("a.png"), b"no picture").is_err());
     }
 }

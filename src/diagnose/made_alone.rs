@@ -1,0 +1,215 @@
+//! Mistakes that are sought where none of those of [`super::mistakes`] gives the mesh, and hardly made beside another one:
+//! of a whole program, in the weights of one joint or two, and, last, since one joint can be off in so many ways, in one
+//! line of the skeleton.
+
+use super::formula::{Columns, Formula, VertexOrder};
+use super::found_otherwise::{
+    JOINT_LEFT_OUT, ROOT_ROTATED_FIRST, STACK_NOT_POPPED, SUM_BEGUN_AT_REST, WEIGHTS_EXCHANGED,
+};
+use super::mistakes::{Mistake, Reading};
+use super::one_joint;
+use super::search::{Explanation, Made, Search};
+use super::skin::{Placed, Skinner};
+use crate::steps::Pace;
+use std::collections::BTreeSet;
+
+/// Joints of the largest skeletons of which every two are tried.
+const MOST_JOINTS: usize = 256;
+
+/// The only way to make such a mistake, which is told in words of its own.
+static IN_THE_FILE: Reading = Reading {
+    how: "",
+    make: |_| {},
+};
+
+/// The mistakes that give the mesh of `search`, of this size, which has its vertices in `order` and is held against
+/// `exact`.
+pub(super) async fn find(
+    search: &Search<'_>,
+    order: VertexOrder,
+    exact: &[Placed],
+    size: f64,
+    pace: &Pace,
+) -> Vec<Explanation> {
+    let alone = MadeAlone::new(search, order, exact);
+    if let Some(whole) = alone.of_whole_program(pace).await {
+        return vec![whole];
+    }
+    let mut of_weights = alone.exchanged_weights(pace).await;
+    of_weights.extend(alone.left_out(pace).await);
+    if !of_weights.is_empty() {
+        return of_weights;
+    }
+    one_joint::find(&alone, size, pace).await
+}
+
+/// A mesh that one such mistake may give.
+pub(super) struct MadeAlone<'a> {
+    pub(super) search: &'a Search<'a>,
+    order: VertexOrder,
+    pub(super) exact: &'a [Placed],
+    /// Vertices of the sample that are off.
+    pub(super) off: Vec<usize>,
+}
+
+impl<'a> MadeAlone<'a> {
+    fn new(search: &'a Search<'a>, order: VertexOrder, exact: &'a [Placed]) -> Self {
+        let off =
+            |&&vertex: &&usize| exact[vertex].distance(search.theirs[vertex]) > search.tolerance;
+        Self {
+            search,
+            order,
+            exact,
+            off: search.sample.iter().filter(off).copied().collect(),
+        }
+    }
+
+    /// A mistake of the whole program, if one gives the mesh: roots that are turned before they are moved, a stack that
+    /// is not popped, a sum that begins with the vertex.
+    async fn of_whole_program(&self, pace: &Pace) -> Option<Explanation> {
+        let with = |change: &dyn Fn(&mut Formula)| {
+            let mut formula = self.formula();
+            change(&mut formula);
+            formula
+        };
+        let visited = |in_each| with(&|formula| formula.hangs_on_visited = in_each);
+        for (formula, mistake, how) in [
+            (
+                with(&|formula| formula.joint.roots_rotate_first = true),
+                &ROOT_ROTATED_FIRST,
+                None,
+            ),
+            (visited([true; 2]), &STACK_NOT_POPPED, Some("in T and in B")),
+            (visited([true, false]), &STACK_NOT_POPPED, Some("in T")),
+            (visited([false, true]), &STACK_NOT_POPPED, Some("in B")),
+            (
+                with(&|formula| formula.begins_at_rest = true),
+                &SUM_BEGUN_AT_REST,
+                None,
+            ),
+        ] {
+            if let Some(given) = self.given_by(&formula, mistake, pace).await {
+                return Some(Explanation {
+                    how: how.map(str::to_owned),
+                    ..given
+                });
+            }
+        }
+        None
+    }
+
+    /// Joints whose weights are left out, where that gives the mesh.
+    async fn left_out(&self, pace: &Pace) -> Vec<Explanation> {
+        let mut found = Vec::new();
+        for joint in self.moving_first() {
+            if !self.moves_all_off(|one| one == joint) {
+                continue;
+            }
+            let given = self.with_columns(Columns::Without(joint), &JOINT_LEFT_OUT, pace);
+            found.extend(given.await.map(|explanation| Explanation {
+                how: Some(self.named(Some(joint))),
+                ..explanation
+            }));
+        }
+        found
+    }
+
+    /// Joints that have each other's weights, where that gives the mesh.
+    async fn exchanged_weights(&self, pace: &Pace) -> Vec<Explanation> {
+        if self.has_many_joints() {
+            return Vec::new();
+        }
+        let joints = self.search.model.skeleton().joints().len();
+        let mut known = BTreeSet::new();
+        let pairs = self.moving_first().flat_map(|one| {
+            let others = (0..joints).filter(move |&other| other != one);
+            others.map(move |other| (one.min(other), one.max(other)))
+        });
+        let pairs: Vec<_> = pairs.filter(|&pair| known.insert(pair)).collect();
+        let mut found = Vec::new();
+        for (one, other) in pairs {
+            if !self.moves_all_off(|joint| joint == one || joint == other) {
+                continue;
+            }
+            let columns = Columns::Exchanged(one, other);
+            let given = self.with_columns(columns, &WEIGHTS_EXCHANGED, pace).await;
+            let [one, other] = [one, other].map(|joint| self.named(Some(joint)));
+            found.extend(given.map(|explanation| Explanation {
+                how: Some(format!("{one} and {other}")),
+                ..explanation
+            }));
+        }
+        found
+    }
+
+    /// Whether so many joints are there that not every two are tried.
+    pub(super) fn has_many_joints(&self) -> bool {
+        self.search.model.skeleton().joints().len() > MOST_JOINTS
+    }
+
+    /// Joints that move `vertex`.
+    pub(super) fn moving(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
+        let model = self.search.model;
+        let row = model.source(self.order, vertex).weights;
+        model.influences(row).iter().map(|one| one.joint as usize)
+    }
+
+    /// Joints that move the first vertex that is off: one of them is in every mistake with the weights of joints.
+    fn moving_first(&self) -> impl Iterator<Item = usize> + '_ {
+        let first = self.off.first();
+        first.into_iter().flat_map(|&vertex| self.moving(vertex))
+    }
+
+    /// Whether every vertex that is off is moved by such a joint.
+    fn moves_all_off(&self, is_such: impl Fn(usize) -> bool) -> bool {
+        (self.off.iter()).all(|&vertex| self.moving(vertex).any(&is_such))
+    }
+
+    /// An explanation of the mesh by weights in other columns, if they give it.
+    async fn with_columns(
+        &self,
+        columns: Columns,
+        mistake: &'static Mistake,
+        pace: &Pace,
+    ) -> Option<Explanation> {
+        let mut formula = self.formula();
+        formula.weights.columns = columns;
+        self.given_by(&formula, mistake, pace).await
+    }
+
+    /// An explanation of the mesh by a formula, if that gives it.
+    pub(super) async fn given_by(
+        &self,
+        formula: &Formula,
+        mistake: &'static Mistake,
+        pace: &Pace,
+    ) -> Option<Explanation> {
+        let made = Made {
+            mistake,
+            reading: &IN_THE_FILE,
+        };
+        let mut skinner = Skinner::new(self.search.model, self.search.pose, formula);
+        (self.search)
+            .explained_by(&mut skinner, vec![made], pace)
+            .await
+    }
+
+    /// The exact formula for vertices in this order.
+    pub(super) fn formula(&self) -> Formula {
+        Formula {
+            vertex_order: self.order,
+            ..Formula::default()
+        }
+    }
+
+    /// A joint by name and index, as the file counts them.
+    pub(super) fn named(&self, joint: Option<usize>) -> String {
+        match joint {
+            Some(index) => {
+                let name = &self.search.model.skeleton().joints()[index].name;
+                format!("{name} ({index})")
+            }
+            None => "no joint".to_owned(),
+        }
+    }
+}
