@@ -208,7 +208,7 @@ fn meshes(args: &Args) -> Result<(), CliError> {
     ];
     if let Some((option, _)) = only_for_pictures.iter().find(|(_, given)| *given) {
         return Err(CliError::Usage(format!(
-            "{option} is for pictures, found two meshes"
+            "{option} is for pictures, found two meshes: render both with the same --camera to have a picture of what is off"
         )));
     }
     if let Some(threshold) = args.threshold.filter(|t| !t.is_finite() || *t < 0.0) {

@@ -6,7 +6,7 @@ use super::pipes::Ends;
 use super::{CliError, arguments, print};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
+    Diagnosis, NoNumbers, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
 };
 use crate::disk::{as_given, files};
 use crate::io::{Diagnostic, Files, Imported, PoseFile, import_character, read_posed_vertices};
@@ -141,8 +141,10 @@ fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     let files = files();
     let bytes = files.read(&args.theirs)?;
     let characters = characters(&files, &args.character)?;
+    let no_numbers = NoNumbers::find(&bytes).filter(|found| !found.are_all());
+    let readable = no_numbers.as_ref().map_or(&bytes, |found| &found.without);
     let as_of = |character: &Arc<Character>| {
-        read_posed_vertices(&args.theirs, &bytes, character.bind_mesh())
+        read_posed_vertices(&args.theirs, readable, character.bind_mesh())
     };
     let read = characters
         .iter()
@@ -152,8 +154,14 @@ fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     // If none fits, the numbers of the first are told.
     let character = characters.iter().find(fits).unwrap_or(&characters[0]);
     let pose = pose(args, &files, character)?;
-    let diagnosed = diagnose(character, &pose, &theirs);
-    diagnosed.map_err(|error| Diagnostic::new(&args.theirs, error.to_string()))
+    let found = diagnose(character, &pose, &theirs)
+        .map_err(|error| Diagnostic::new(&args.theirs, error.to_string()))?;
+    let Some(no_numbers) = no_numbers else {
+        return Ok(found);
+    };
+    let told = no_numbers.told(&as_given(&args.theirs).to_string());
+    output::eprint_line(format_args!("warning: {told}"));
+    Ok(no_numbers.put_back_into(&found))
 }
 
 fn of_picture(args: &Args) -> Result<PictureDiagnosis, Diagnostic> {

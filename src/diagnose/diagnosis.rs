@@ -207,6 +207,25 @@ impl Diagnosis {
         }
     }
 
+    /// The same, where `mistake`, made in the way `how`, gives the mesh but for `error`, by the size.
+    pub fn explained_by(&self, mistake: &'static Mistake, how: String, error: f64) -> Self {
+        let told = ToldMistake {
+            how: how.into(),
+            ..ToldMistake::whole(mistake)
+        };
+        Self {
+            verdict: Verdict::Explained,
+            causes: vec![mistake.id],
+            error,
+            mistakes: vec![told],
+            regions: Vec::new(),
+            other_pose: None,
+            nearest: None,
+            findings: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// Takes into account how triangles differ.
     pub(super) fn judge(&mut self, faces: FaceDifference) {
         self.faces = faces;

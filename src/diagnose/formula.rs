@@ -32,6 +32,8 @@ pub struct Formula {
     pub hangs_on_visited: [bool; 2],
     /// Whether the sum begins with the vertex at rest.
     pub begins_at_rest: bool,
+    /// Whether what comes of it is moved once more in the same way.
+    pub moves_twice: bool,
 }
 
 /// A joint as no file has it, in T and in B.
@@ -48,6 +50,10 @@ pub struct OtherJoint {
 /// A joint's transform relative to its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointFormula {
+    /// Joint whose angles each is given.
+    pub angles_of: AnglesOf,
+    /// Which of the pose's angles, 0 for that about X, is used about X, Y and Z.
+    pub axes: [usize; 3],
     /// Factor of the angles about X, Y and Z.
     pub angles: [f64; 3],
     /// What the angles are converted to.
@@ -60,12 +66,61 @@ pub struct JointFormula {
     pub rotates_first: bool,
     /// Whether that is so at roots, also where it is not at other joints.
     pub roots_rotate_first: bool,
-    /// Whether the offset counts in T.
-    pub has_offset: bool,
-    /// Whether the offset counts in B.
-    pub has_bind_offset: bool,
+    /// Which offsets count in T.
+    pub offsets: Offsets,
+    /// Which offsets count in B.
+    pub bind_offsets: Offsets,
     /// Whether the pose counts.
     pub has_pose: bool,
+}
+
+/// Joint whose angles a joint is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AnglesOf {
+    /// Itself.
+    Itself,
+    /// The one before it in the file; the first has none.
+    Before,
+    /// The one after it in the file; the last has none.
+    After,
+}
+
+impl AnglesOf {
+    /// The joint whose angles that at the index `joint` is given, if there are so many; `None` before the first.
+    pub(super) fn joint(self, joint: usize) -> Option<usize> {
+        match self {
+            Self::Itself => Some(joint),
+            Self::Before => joint.checked_sub(1),
+            Self::After => Some(joint + 1),
+        }
+    }
+}
+
+/// Joints whose offsets from their parents count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Offsets {
+    /// Every joint.
+    All,
+    /// None.
+    None,
+    /// Roots.
+    OfRoots,
+    /// All but roots.
+    ButOfRoots,
+    /// Those that the pose neither turns nor moves.
+    OfUnposed,
+}
+
+impl Offsets {
+    pub(super) fn counts(self, is_root: bool, is_posed: bool) -> bool {
+        match self {
+            Self::All => true,
+            Self::None => false,
+            Self::OfRoots => is_root,
+            Self::ButOfRoots => !is_root,
+            Self::OfUnposed => !is_posed,
+        }
+    }
 }
 
 /// The numbers that are given to sine and cosine.
@@ -109,6 +164,8 @@ pub enum Factors {
     CurrentTransposed,
     /// T · B⁻ᵀ.
     InverseBindTransposed,
+    /// T · Bᵀ.
+    BindTransposed,
     /// Nothing: vertices stay as they are in the file.
     Nothing,
 }
@@ -126,6 +183,8 @@ pub enum Factor {
     CurrentTransposed,
     /// B⁻ᵀ.
     InverseBindTransposed,
+    /// Bᵀ.
+    BindTransposed,
 }
 
 impl Factors {
@@ -141,6 +200,7 @@ impl Factors {
             Self::Transposed => &[Factor::CurrentTransposed, Factor::InverseBindTransposed],
             Self::CurrentTransposed => &[Factor::InverseBind, Factor::CurrentTransposed],
             Self::InverseBindTransposed => &[Factor::InverseBindTransposed, Factor::Current],
+            Self::BindTransposed => &[Factor::BindTransposed, Factor::Current],
             Self::Nothing => &[],
         }
     }
@@ -227,6 +287,8 @@ pub enum Columns {
     BeforeWithoutFirst,
     /// The one after, which the last column lacks.
     After,
+    /// Its own for the last joint, and none for all others.
+    LastAlone,
     /// Its own, but for that of one joint, which counts for none.
     Without(usize),
     /// Its own, but for two joints, each of which has the other's.
@@ -242,6 +304,8 @@ pub enum Kept {
     Largest(usize),
     /// So many of those that are not zero, in the order of the joints.
     First(usize),
+    /// The last of those that are not zero, in the order of the joints.
+    Last,
 }
 
 /// Which joint an index means.
@@ -285,14 +349,16 @@ impl Default for Formula {
     fn default() -> Self {
         Self {
             joint: JointFormula {
+                angles_of: AnglesOf::Itself,
+                axes: [0, 1, 2],
                 angles: [1.0; 3],
                 units: AngleUnits::Radians,
                 order: [0, 1, 2],
                 is_transposed: false,
                 rotates_first: false,
                 roots_rotate_first: false,
-                has_offset: true,
-                has_bind_offset: true,
+                offsets: Offsets::All,
+                bind_offsets: Offsets::All,
                 has_pose: true,
             },
             chain: Chain::ParentOwn,
@@ -316,6 +382,7 @@ impl Default for Formula {
             other_joint: None,
             hangs_on_visited: [false; 2],
             begins_at_rest: false,
+            moves_twice: false,
         }
     }
 }

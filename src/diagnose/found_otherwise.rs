@@ -1,7 +1,8 @@
 //! Mistakes that are found otherwise than by making each in every way, and beside every other: in the faces of a mesh,
 //! and those that are hardly made beside another one.
 
-use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD};
+use super::formula::{AnglesOf, Columns, Kept, Offsets};
+use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
 pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
@@ -49,7 +50,9 @@ pub(super) static ROOT_ROTATED_FIRST: Mistake = Mistake {
     section: SLIDERS,
     look_at: "where the root's transform is made or the figure is turned as a whole: the offset comes last to a vertex \
               and so stands on the left",
-    readings: &[],
+    readings: &[reading("", |formula| {
+        formula.joint.roots_rotate_first = true
+    })],
 };
 
 /// A mistake in two columns of the weights, which are found pair by pair.
@@ -67,7 +70,13 @@ pub(super) static STACK_NOT_POPPED: Mistake = Mistake {
     meaning: "the matrix stack is not popped, so that each joint hangs on the one that was visited before it",
     section: SKELETON,
     look_at: "the end of the recursion over a joint's children: each push needs its pop",
-    readings: &[],
+    readings: &[
+        reading("in T and in B", |formula| {
+            formula.hangs_on_visited = [true; 2]
+        }),
+        reading("in T", |formula| formula.hangs_on_visited = [true, false]),
+        reading("in B", |formula| formula.hangs_on_visited = [false, true]),
+    ],
 };
 
 /// A mistake in the weighted sum.
@@ -76,7 +85,7 @@ pub(super) static SUM_BEGUN_AT_REST: Mistake = Mistake {
     meaning: "the sum for each vertex begins with its place at rest instead of 0",
     section: SSD,
     look_at: "updateMeshVertices: the vertex is set to 0 before what the joints give is added",
-    readings: &[],
+    readings: &[reading("", |formula| formula.begins_at_rest = true)],
 };
 
 /// A mistake in the weights of one joint, which is found joint by joint.
@@ -88,8 +97,132 @@ pub(super) static JOINT_LEFT_OUT: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in how the pose comes to joints.
+pub(super) static TRANSLATION_OVERWRITTEN: Mistake = Mistake {
+    id: "translation-overwritten",
+    meaning: "the rotation of a joint that the pose turns overwrites its offset",
+    section: SLIDERS,
+    look_at: "setJointTransform: the fourth column of a joint's transform must stay its offset",
+    readings: &[reading("", |formula| {
+        formula.joint.offsets = Offsets::OfUnposed;
+    })],
+};
+
+/// A mistake at roots alone, which moves the mesh as a whole.
+pub(super) static ROOT_TRANSLATION_MISSING: Mistake = Mistake {
+    id: "root-translation-missing",
+    meaning: "the root has no offset in T",
+    section: SKELETON,
+    look_at: "the recursion over the joints: it begins with the root's own transform, not with that of its children",
+    readings: &[reading("", |formula| {
+        formula.joint.offsets = Offsets::ButOfRoots;
+    })],
+};
+
+/// A mistake in the weighted sum.
+pub(super) static SUM_OVERWRITTEN: Mistake = Mistake {
+    id: "sum-overwritten",
+    meaning: "what one joint gives overwrites what those before it gave, so that there is no sum",
+    section: SSD,
+    look_at: "updateMeshVertices: what each joint gives is added (+=), not assigned (=)",
+    readings: &[
+        reading("the last one with a weight counts", |formula| {
+            formula.weights.kept = Kept::Last;
+        }),
+        reading(
+            "the last one of all counts, whatever its weight",
+            |formula| {
+                formula.weights.columns = Columns::LastAlone;
+            },
+        ),
+    ],
+};
+
+/// A mistake in the weighted sum, for which the mesh is looked at from vertex to vertex.
+pub(super) static SUM_NOT_RESET: Mistake = Mistake {
+    id: "sum-not-reset",
+    meaning: "the sum goes on from vertex to vertex, so that each has those before it as well",
+    section: SSD,
+    look_at: "updateMeshVertices: the sum is set to 0 inside of the loop over the vertices",
+    readings: &[],
+};
+
+/// A mistake in what is skinned, of which grading also knows the results of other tests.
+pub static LAST_RESULT_SKINNED: Mistake = Mistake {
+    id: "last-result-skinned",
+    meaning: "the last result is skinned instead of the mesh at rest",
+    section: SSD,
+    look_at: "updateMeshVertices: it reads bindVertices and writes currentVertices, never the other way round",
+    readings: &[reading("that of the same pose", |formula| {
+        formula.moves_twice = true;
+    })],
+};
+
+/// A mistake with the angles about the axes.
+pub(super) static ANGLES_EXCHANGED: Mistake = Mistake {
+    id: "angles-exchanged",
+    meaning: "angles are used about other axes than their own",
+    section: SLIDERS,
+    look_at: "where angles come to setJointTransform: which slider or number is about which axis",
+    readings: &[
+        reading("those about x and y are exchanged", |formula| {
+            formula.joint.axes = [1, 0, 2];
+        }),
+        reading("those about y and z are exchanged", |formula| {
+            formula.joint.axes = [0, 2, 1];
+        }),
+        reading("those about x and z are exchanged", |formula| {
+            formula.joint.axes = [2, 1, 0];
+        }),
+        reading("that about x about y, y about z, z about x", |formula| {
+            formula.joint.axes = [2, 0, 1];
+        }),
+        reading("that about x about z, y about x, z about y", |formula| {
+            formula.joint.axes = [1, 2, 0];
+        }),
+    ],
+};
+
+/// A mistake with the angles of the joints.
+pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
+    id: "angles-shifted",
+    meaning: "joints have the angles of their neighbors in the file",
+    section: SLIDERS,
+    look_at: "where angles come to setJointTransform: angles i are of joint i, the root being joint 0",
+    readings: &[
+        reading("of the joint before them", |formula| {
+            formula.joint.angles_of = AnglesOf::Before;
+        }),
+        reading("of the joint after them", |formula| {
+            formula.joint.angles_of = AnglesOf::After;
+        }),
+    ],
+};
+
+/// A mistake in the units of the angles, whose factor is worked out from the mesh.
+pub(super) static ANGLES_SCALED: Mistake = Mistake {
+    id: "angles-scaled",
+    meaning: "all angles are too large or too small by the same factor",
+    section: SLIDERS,
+    look_at: "setJointTransform: the conversion of degrees to radians, and the digits of its π",
+    readings: &[],
+};
+
+/// Those of a whole program that are made in few ways, in the order in which they are named where they give the same.
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 9] = [
+    &ROOT_ROTATED_FIRST,
+    &STACK_NOT_POPPED,
+    &TRANSLATION_OVERWRITTEN,
+    &ROOT_TRANSLATION_MISSING,
+    &SUM_BEGUN_AT_REST,
+    &SUM_OVERWRITTEN,
+    &LAST_RESULT_SKINNED,
+    &ANGLES_EXCHANGED,
+    &ANGLES_SHIFTED,
+];
+
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 9] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 17] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
@@ -99,4 +232,12 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 9] = [
     &STACK_NOT_POPPED,
     &SUM_BEGUN_AT_REST,
     &JOINT_LEFT_OUT,
+    &TRANSLATION_OVERWRITTEN,
+    &ROOT_TRANSLATION_MISSING,
+    &SUM_OVERWRITTEN,
+    &SUM_NOT_RESET,
+    &LAST_RESULT_SKINNED,
+    &ANGLES_EXCHANGED,
+    &ANGLES_SHIFTED,
+    &ANGLES_SCALED,
 ];

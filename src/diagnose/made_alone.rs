@@ -3,44 +3,45 @@
 //! line of the skeleton.
 
 use super::formula::{Columns, Formula, VertexOrder};
-use super::found_otherwise::{
-    JOINT_LEFT_OUT, ROOT_ROTATED_FIRST, STACK_NOT_POPPED, SUM_BEGUN_AT_REST, WEIGHTS_EXCHANGED,
-};
+use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
 use super::mistakes::{Mistake, Reading};
-use super::one_joint;
 use super::search::{Explanation, Made, Search};
 use super::skin::{Placed, Skinner};
+use super::{one_joint, whole_program};
 use crate::steps::Pace;
 use std::collections::BTreeSet;
 
 /// Joints of the largest skeletons of which every two are tried.
 const MOST_JOINTS: usize = 256;
 
-/// The only way to make such a mistake, which is told in words of its own.
-static IN_THE_FILE: Reading = Reading {
+/// The way to make a mistake that is told in words of its own.
+pub(super) static BY_NUMBERS: Reading = Reading {
     how: "",
     make: |_| {},
 };
 
 /// The mistakes that give the mesh of `search`, of this size, which has its vertices in `order` and is held against
-/// `exact`.
+/// `exact`. Where numbers are worked out from the mesh, it has to agree with it as in `fits`.
 pub(super) async fn find(
     search: &Search<'_>,
+    fits: &Search<'_>,
     order: VertexOrder,
     exact: &[Placed],
     size: f64,
     pace: &Pace,
 ) -> Vec<Explanation> {
     let alone = MadeAlone::new(search, order, exact);
-    if let Some(whole) = alone.of_whole_program(pace).await {
-        return vec![whole];
+    let fits = MadeAlone::new(fits, order, exact);
+    let of_whole = whole_program::find(&alone, &fits, pace).await;
+    if !of_whole.is_empty() {
+        return of_whole;
     }
     let mut of_weights = alone.exchanged_weights(pace).await;
     of_weights.extend(alone.left_out(pace).await);
     if !of_weights.is_empty() {
         return of_weights;
     }
-    one_joint::find(&alone, size, pace).await
+    one_joint::find(&fits, size, pace).await
 }
 
 /// A mesh that one such mistake may give.
@@ -62,40 +63,6 @@ impl<'a> MadeAlone<'a> {
             exact,
             off: search.sample.iter().filter(off).copied().collect(),
         }
-    }
-
-    /// A mistake of the whole program, if one gives the mesh: roots that are turned before they are moved, a stack that
-    /// is not popped, a sum that begins with the vertex.
-    async fn of_whole_program(&self, pace: &Pace) -> Option<Explanation> {
-        let with = |change: &dyn Fn(&mut Formula)| {
-            let mut formula = self.formula();
-            change(&mut formula);
-            formula
-        };
-        let visited = |in_each| with(&|formula| formula.hangs_on_visited = in_each);
-        for (formula, mistake, how) in [
-            (
-                with(&|formula| formula.joint.roots_rotate_first = true),
-                &ROOT_ROTATED_FIRST,
-                None,
-            ),
-            (visited([true; 2]), &STACK_NOT_POPPED, Some("in T and in B")),
-            (visited([true, false]), &STACK_NOT_POPPED, Some("in T")),
-            (visited([false, true]), &STACK_NOT_POPPED, Some("in B")),
-            (
-                with(&|formula| formula.begins_at_rest = true),
-                &SUM_BEGUN_AT_REST,
-                None,
-            ),
-        ] {
-            if let Some(given) = self.given_by(&formula, mistake, pace).await {
-                return Some(Explanation {
-                    how: how.map(str::to_owned),
-                    ..given
-                });
-            }
-        }
-        None
     }
 
     /// Joints whose weights are left out, where that gives the mesh.
@@ -177,17 +144,24 @@ impl<'a> MadeAlone<'a> {
         self.given_by(&formula, mistake, pace).await
     }
 
-    /// An explanation of the mesh by a formula, if that gives it.
+    /// An explanation of the mesh by a formula with numbers from the mesh, if that gives it.
     pub(super) async fn given_by(
         &self,
         formula: &Formula,
         mistake: &'static Mistake,
         pace: &Pace,
     ) -> Option<Explanation> {
-        let made = Made {
-            mistake,
-            reading: &IN_THE_FILE,
-        };
+        let reading = &BY_NUMBERS;
+        self.made_by(formula, Made { mistake, reading }, pace).await
+    }
+
+    /// The explanation `made` of the mesh, if the formula gives it.
+    pub(super) async fn made_by(
+        &self,
+        formula: &Formula,
+        made: Made,
+        pace: &Pace,
+    ) -> Option<Explanation> {
         let mut skinner = Skinner::new(self.search.model, self.search.pose, formula);
         (self.search)
             .explained_by(&mut skinner, vec![made], pace)

@@ -1,8 +1,8 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Divided, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled,
-    Rows, VertexOrder,
+    AngleUnits, Chain, Columns, Divided, Factors, Formula, JointOrder, JointsBy, Kept, Offsets,
+    Rescaled, Rows, VertexOrder,
 };
 use super::found_otherwise::FOUND_OTHERWISE;
 
@@ -35,7 +35,7 @@ pub(super) const SLIDERS: &str = "3.4 Sliders";
 pub(super) const MESH: &str = "4.1 Mesh";
 pub(super) const SSD: &str = "4.2 SSD";
 
-const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
+pub(super) const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
     Reading { how, make }
 }
 
@@ -156,13 +156,20 @@ pub static MISTAKES: &[Mistake] = &[
         "updateMeshVertices: whether currentJointToWorldTransform is multiplied at all, and is filled",
         |formula| formula.factors = Factors::InverseBindOnly
     ),
-    one_way!(
-        "bind-not-inverted",
-        SSD,
-        "vertices are moved by T · B, with B where its inverse belongs",
-        "computeBindWorldToJointTransforms: it must keep the inverse",
-        |formula| formula.factors = Factors::BindNotInverted
-    ),
+    Mistake {
+        id: "bind-not-inverted",
+        meaning: "vertices are moved by T and B, which is not inverted",
+        section: SSD,
+        look_at: "computeBindWorldToJointTransforms: it must keep the inverse",
+        readings: &[
+            reading("by T · B", |formula| {
+                formula.factors = Factors::BindNotInverted
+            }),
+            reading("by T · Bᵀ, as if B only turned", |formula| {
+                formula.factors = Factors::BindTransposed;
+            }),
+        ],
+    },
     one_way!(
         "factors-swapped",
         SSD,
@@ -296,10 +303,17 @@ pub static MISTAKES: &[Mistake] = &[
                   transform must stay its offset; and where a vertex gets its fourth coordinate, which is 1",
         readings: &[
             reading("in T and in B", |formula| {
-                formula.joint.has_offset = false;
-                formula.joint.has_bind_offset = false;
+                formula.joint.offsets = Offsets::None;
+                formula.joint.bind_offsets = Offsets::None;
             }),
-            reading("in T", |formula| formula.joint.has_offset = false),
+            reading("in T", |formula| formula.joint.offsets = Offsets::None),
+            reading("in T and in B, but roots have theirs", |formula| {
+                formula.joint.offsets = Offsets::OfRoots;
+                formula.joint.bind_offsets = Offsets::OfRoots;
+            }),
+            reading("in T, but roots have theirs", |formula| {
+                formula.joint.offsets = Offsets::OfRoots;
+            }),
         ],
     },
     Mistake {
@@ -437,9 +451,13 @@ const fn by(by: JointsBy, has_angles: bool) -> JointOrder {
 pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});
 
 impl Mistake {
+    /// Every mistake that is known: those of [`MISTAKES`], and those that are found otherwise.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        MISTAKES.iter().chain(FOUND_OTHERWISE)
+    }
+
     /// The mistake with this name, if there is one.
     pub fn find(id: &str) -> Option<&'static Self> {
-        let mut all = MISTAKES.iter().chain(FOUND_OTHERWISE);
-        all.find(|mistake| mistake.id == id)
+        Self::all().find(|mistake| mistake.id == id)
     }
 }

@@ -15,6 +15,7 @@ mod mistaken;
 mod mistakes;
 mod model;
 mod nearest;
+mod no_numbers;
 mod one_joint;
 mod other_pose;
 mod picture;
@@ -26,19 +27,22 @@ mod silhouette;
 mod skin;
 mod triangles;
 mod vertex_formula;
+mod whole_program;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
-    AngleUnits, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula, JointOrder,
-    JointsBy, Kept, OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
+    AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
+    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
 };
+pub use found_otherwise::LAST_RESULT_SKINNED;
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, POSE_NOT_APPLIED, Reading};
 pub use nearest::Nearest;
+pub use no_numbers::NoNumbers;
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture, has_silhouette};
 pub use precision::Coarse;
@@ -180,7 +184,10 @@ async fn diagnose_vertices(
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
-        explanations = made_alone::find(&search, order, &exact, size, pace).await;
+        // Numbers that are worked out from a mesh bring many near it. Those that are right bring it much nearer.
+        let rounding = precision::of_vertices(half_step).max(AS_GOOD_AS_NONE * size);
+        let fits = search.within(rounding.max(error / MUCH_NEARER));
+        explanations = made_alone::find(&search, &fits, order, &exact, size, pace).await;
     }
     if explanations.is_empty() {
         explanations = search.pairs(&alone, pace).await;

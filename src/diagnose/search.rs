@@ -102,6 +102,15 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The same, where vertices agree only within `limit`, if that is less.
+    pub(super) fn within(&self, limit: f64) -> Self {
+        Self {
+            tolerance: self.tolerance.min(limit),
+            sample: self.sample.clone(),
+            ..*self
+        }
+    }
+
     /// Every mistake by itself, with those that explain the mesh.
     pub(super) async fn singles(&self, pace: &Pace) -> (Vec<Alone>, Vec<Explanation>) {
         let mut alone = Vec::new();

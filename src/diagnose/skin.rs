@@ -79,7 +79,13 @@ impl<'a> Skinner<'a> {
         } else {
             DMat3::ZERO
         };
-        written * parts.fold(begun, |sum, part| sum + part)
+        let once = parts.fold(begun, |sum, part| sum + part);
+        let moved = if self.formula.moves_twice {
+            once * once
+        } else {
+            once
+        };
+        written * moved
     }
 
     /// The vertex at `index` of those that it writes.
@@ -102,8 +108,18 @@ impl<'a> Skinner<'a> {
         }
     }
 
-    /// The weighted sum of where joints move `bind`, from where the formula begins it.
+    /// Where the weighted sum has `bind`, or what comes of it the second time.
     fn sum(&self, bind: DVec3, weights: &[(usize, f64)]) -> DVec3 {
+        let once = self.sum_once(bind, weights);
+        if self.formula.moves_twice {
+            self.sum_once(once, weights)
+        } else {
+            once
+        }
+    }
+
+    /// The weighted sum of where joints move `bind`, from where the formula begins it.
+    fn sum_once(&self, bind: DVec3, weights: &[(usize, f64)]) -> DVec3 {
         let divided = self.formula.divided;
         let moved = weights.iter().filter_map(|&(index, weight)| {
             Some(divided.each(self.palette[index]? * bind.extend(1.0)) * weight)
@@ -158,6 +174,9 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
             kept.truncate(most);
         }
         Kept::First(most) => kept.truncate(most),
+        Kept::Last => {
+            kept.drain(..kept.len().saturating_sub(1));
+        }
     }
     match formula.rescaled {
         Rescaled::No => {}
@@ -213,26 +232,31 @@ impl Joints {
             }
         });
         let offset = |joint: usize| tree.offsets[joint];
+        let is_root = |joint: usize| model.skeleton().joints()[joint].parent.is_none();
         let own = &formula.joint;
+        let angles_of = |joint: usize| {
+            let of = own.angles_of.joint(angles_of[joint]);
+            let of = of.filter(|of| *of < angles_of.len());
+            of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
+        };
         let current = tree.chained(formula.chain, |joint| {
             let mut translation = DVec3::ZERO;
             let mut angles = DVec3::ZERO;
-            if own.has_offset {
-                translation += offset(joint);
-            }
+            let mut moved = DVec3::ZERO;
             if own.has_pose {
-                angles = pose.rotation(angles_of[joint]).radians.as_dvec3();
-                if own.has_offset {
-                    translation += pose.root_offset(joint).as_dvec3();
-                }
+                angles = angles_of(joint);
+                moved = pose.root_offset(joint).as_dvec3();
             }
-            let is_root = model.skeleton().joints()[joint].parent.is_none();
-            let rotates_first = own.rotates_first || own.roots_rotate_first && is_root;
+            let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
+            if own.offsets.counts(is_root(joint), is_posed) {
+                translation = offset(joint) + moved;
+            }
+            let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
             own.parent_from_joint(translation, angles, rotates_first)
         });
         let bind = bind_tree.chained(formula.bind_chain, |joint| {
-            let has_offset = f64::from(own.has_bind_offset);
-            own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO, false)
+            let has_offset = own.bind_offsets.counts(is_root(joint), false);
+            own.parent_from_joint(offset(joint) * f64::from(has_offset), DVec3::ZERO, false)
         });
         Self {
             current,
@@ -249,6 +273,7 @@ impl Joints {
             Factor::Bind => bind.into(),
             Factor::InverseBind => bind.inverse().into(),
             Factor::CurrentTransposed => DMat4::from(current).transpose(),
+            Factor::BindTransposed => DMat4::from(bind).transpose(),
             Factor::InverseBindTransposed => DMat4::from(bind.inverse()).transpose(),
         }
     }
@@ -261,6 +286,8 @@ impl Joints {
             Columns::Before => index.checked_sub(1)?,
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
             Columns::After => index + 1,
+            Columns::LastAlone if index + 1 < self.order.len() => return None,
+            Columns::LastAlone => index,
             Columns::Without(joint) if index == joint => return None,
             Columns::Without(_) => index,
             Columns::Exchanged(a, b) if index == a => b,
@@ -348,7 +375,8 @@ impl JointFormula {
         radians: DVec3,
         rotates_first: bool,
     ) -> DAffine3 {
-        let angles = radians * DVec3::from_array(self.angles);
+        let used = DVec3::from_array(self.axes.map(|axis| radians[axis]));
+        let angles = used * DVec3::from_array(self.angles);
         let angles = match self.units {
             AngleUnits::Radians => angles,
             AngleUnits::Degrees => angles.map(f64::to_degrees),

@@ -1,5 +1,6 @@
 //! What the file of one test is.
 
+use crate::diagnose::LAST_RESULT_SKINNED;
 use serde::{Deserialize, Serialize};
 
 /// What became of a test.
@@ -103,7 +104,9 @@ impl Graded {
 
     /// Whether it follows from all tests, and not from its own alone.
     pub fn is_of_all_tests(&self) -> bool {
+        let is_of_others = |ids: &Vec<String>| ids.iter().any(|id| id == LAST_RESULT_SKINNED.id);
         matches!(self.outcome, Outcome::OtherPose | Outcome::Unexplained)
+            || self.causes.iter().any(is_of_others)
     }
 }
 

@@ -5,10 +5,11 @@
 
 mod canvas;
 mod csv;
+mod found;
 mod graded;
+mod last_result;
 mod mistake_section;
 mod name;
-mod no_numbers;
 mod page;
 mod report;
 mod rubric;

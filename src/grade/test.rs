@@ -1,20 +1,17 @@
 //! One test: a character in a pose, and what a file of it is.
 
+use super::found::{explanations, hint, nearly, outcome};
 use super::graded::{Graded, Outcome, rounded};
-use super::no_numbers::NoNumbers;
-use super::report::NEARLY;
+use super::last_result::{self, Earlier};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NearlyRight, OtherPose, POSE_NOT_APPLIED, PictureError, Verdict, diagnose,
-    diagnose_picture, has_silhouette, measure,
+    Diagnosis, LAST_RESULT_SKINNED, NoNumbers, OtherPose, POSE_NOT_APPLIED, PictureError, Verdict,
+    diagnose, diagnose_picture, has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
-use crate::io::{
-    MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8,
-    read_posed_vertices,
-};
+use crate::io::{RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, read_posed_vertices};
 use crate::math::Euler;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -153,6 +150,12 @@ impl Test {
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {
+                let is_open = matches!(found.verdict, Verdict::OtherPose | Verdict::Unexplained);
+                let of_other = self.other_of(tests, |test| is_open && test.is_right(&theirs));
+                let found = match of_other.is_none() && is_open {
+                    true => self.or_of_last_result(found, &theirs, tests),
+                    false => found,
+                };
                 let mut graded = self.diagnosed_mesh(&found, &theirs);
                 if let Some(no_numbers) = &no_numbers {
                     let found = no_numbers.put_back_into(&found);
@@ -165,11 +168,9 @@ impl Test {
                         .text
                         .extend(told.map(|warning| format!("\n  warning  {warning}")));
                 }
-                match found.verdict {
-                    Verdict::OtherPose | Verdict::Unexplained => {
-                        self.or_of_other(graded, tests, |test| test.is_right(&theirs))
-                    }
-                    Verdict::Right | Verdict::Triangles | Verdict::Explained => graded,
+                match of_other {
+                    Some(test) => graded.of_other_test(&test.data.name),
+                    None => graded,
                 }
             }
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
@@ -295,19 +296,47 @@ impl Test {
             },
         };
         match found.verdict {
-            Verdict::Unexplained => self.or_of_other(graded, tests, |test| {
-                has_silhouette(&test.character, &test.pose, &picture, seen)
-            }),
+            Verdict::Unexplained => {
+                let is_of =
+                    |test: &Self| has_silhouette(&test.character, &test.pose, &picture, seen);
+                match self.other_of(tests, is_of) {
+                    Some(test) => graded.of_other_test(&test.data.name),
+                    None => graded,
+                }
+            }
             _ => graded,
         }
     }
 
-    /// `graded`, or that the file is the exact result of another one of `tests`, if it `is_of` one.
-    fn or_of_other(&self, graded: Graded, tests: &[Self], is_of: impl Fn(&Self) -> bool) -> Graded {
+    /// Another one of `tests` that the file `is_of`, if there is one.
+    fn other_of<'a>(&self, tests: &'a [Self], is_of: impl Fn(&Self) -> bool) -> Option<&'a Self> {
         let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
-        match others.find(|test| is_of(test)) {
-            Some(test) => graded.of_other_test(&test.data.name),
-            None => graded,
+        others.find(|test| is_of(test))
+    }
+
+    /// `found`, or that results of others of `tests` were skinned instead of the mesh at rest, if that gives `theirs`.
+    fn or_of_last_result(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
+        let path = &self.data.character.path;
+        let of_character = |test: &&Self| test.data.character.path == *path;
+        let (before, after) = match tests
+            .iter()
+            .position(|test| test.data.name == self.data.name)
+        {
+            Some(own) => (&tests[..own], &tests[own + 1..]),
+            None => (tests, &[][..]),
+        };
+        let [before, after] = [before, after].map(|tests| {
+            let tests = tests.iter().filter(of_character);
+            tests
+                .map(|test| Earlier {
+                    name: &test.data.name,
+                    pose: &test.pose,
+                })
+                .collect::<Vec<_>>()
+        });
+        match last_result::find(&self.character, &self.pose, theirs, &before, &after) {
+            Some((how, error)) => found.explained_by(&LAST_RESULT_SKINNED, how, error),
+            None => found,
         }
     }
 
@@ -328,55 +357,6 @@ fn is_as_wide(wanted: [u32; 2], [width, height]: [u32; 2]) -> bool {
     // Sides are whole numbers of pixels.
     let rounding = 1.0 / wanted_width.min(wanted_height);
     (by_width - by_height).abs() <= rounding * by_width.max(1.0) && by_width >= LEAST_SCALE
-}
-
-fn outcome(verdict: Verdict) -> Outcome {
-    match verdict {
-        Verdict::Right => Outcome::Right,
-        Verdict::Triangles | Verdict::Explained => Outcome::Explained,
-        Verdict::OtherPose => Outcome::OtherPose,
-        Verdict::Unexplained => Outcome::Unexplained,
-    }
-}
-
-/// What is known of a mesh that nothing explains whole, in a few words.
-fn hint(found: &Diagnosis) -> Option<String> {
-    if found.verdict != Verdict::Unexplained {
-        return None;
-    }
-    let mut findings = found.findings.iter();
-    if let Some(brief) = findings.find_map(|finding| finding.0.brief()) {
-        return Some(brief);
-    }
-    Some(match found.nearly_right()? {
-        NearlyRight::Rounded => "too few digits".to_owned(),
-        NearlyRight::Placed => return None,
-        NearlyRight::ButForFewWith(mistake) => format!("{NEARLY}{}", mistake.id),
-        NearlyRight::ButForFew => match found.off {
-            1 => "all but 1 vertex".to_owned(),
-            off => format!("all but {off} vertices"),
-        },
-    })
-}
-
-/// What is wrong with a mesh that is nearly right, for the rubric.
-fn nearly(found: &Diagnosis) -> Vec<&'static str> {
-    let mut nearly = match found.nearly_right() {
-        Some(NearlyRight::Rounded) => vec![RIGHT_BUT_FOR_DIGITS],
-        Some(NearlyRight::Placed) => vec![MOVED_AS_A_WHOLE],
-        Some(NearlyRight::ButForFewWith(mistake)) => vec![mistake.id, RIGHT_BUT_FOR_FEW],
-        Some(NearlyRight::ButForFew) => vec![RIGHT_BUT_FOR_FEW],
-        None => return Vec::new(),
-    };
-    nearly.extend(found.faces.mistakes().map(|mistake| mistake.id));
-    nearly
-}
-
-/// The explanations, the one that is told in words first; none without one.
-fn explanations(told: Vec<&'static str>, same_as: &[Vec<&'static str>]) -> Vec<Vec<String>> {
-    let first = (!told.is_empty()).then_some(&told);
-    let owned = |ids: &Vec<&str>| ids.iter().map(|&id| id.to_owned()).collect();
-    first.into_iter().chain(same_as).map(owned).collect()
 }
 
 /// A picture as PNG in Base64.

@@ -1,7 +1,7 @@
 //! The rubric in the file that a class is graded by: points and sections.
 
 use super::scanner::quoted;
-use crate::diagnose::{MISTAKES, Mistake};
+use crate::diagnose::Mistake;
 use serde::de::{Deserializer, Error as _};
 use serde::{Deserialize, Serialize};
 use serde_spanned::Spanned;
@@ -97,7 +97,7 @@ impl TryFrom<String> for MistakeName {
         if Mistake::find(&name).is_some() || others.contains(&&*name) {
             return Ok(Self(name));
         }
-        let ids = MISTAKES.iter().map(|mistake| mistake.id);
+        let ids = Mistake::all().map(|mistake| mistake.id);
         let ids = ids.chain(others);
         let nearest = ids.min_by_key(|id| strsim::levenshtein(id, &name));
         Err(format!(

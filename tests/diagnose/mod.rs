@@ -18,6 +18,7 @@ mod same;
 mod steps;
 pub mod student;
 mod unexplained;
+mod whole_program;
 
 use editor_core::diagnose::{Diagnosis, Verdict};
 

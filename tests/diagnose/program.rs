@@ -22,7 +22,7 @@ fn folder() -> TempDir {
         ("two.obj", "v 0 1 0\nv 0 0.5 4\nf 1 2 1\n"),
         ("points.txt", "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\n"),
         ("lost.obj", "v 0 1 0\nv 0 0.5 4\nf 1 2 3\n"),
-        ("nan.obj", "v 0 1 nan\nv 0 0.5 4\nv 0 0 0\nf 1 2 3\n"),
+        ("nan.obj", "v nan 1 nan\nv 0 inf 4\nv 0 0 nan\nf 1 2 3\n"),
         ("empty.obj", ""),
         ("half.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\n"),
         ("half.skel", "0 0 0 -1\n"),
@@ -166,9 +166,25 @@ fn json_is_one_object_with_verdict_causes_and_error() {
     );
     let (code, nan) = json(folder.path(), "nan.obj");
     assert_eq!((code, &nan["verdict"]), (Some(1), &Value::Null));
-    let message = "expected a number for z, found “nan”";
-    let failure = json!({"file": "nan.obj", "line": 1, "column": 7, "message": message});
+    let message = "expected a number for x, found “nan”";
+    let failure = json!({"file": "nan.obj", "line": 1, "column": 3, "message": message});
     assert_eq!(nan["failure"], failure);
+}
+
+#[test]
+fn single_vertices_that_are_no_numbers_are_wrong_and_the_others_are_looked_at() {
+    let folder = folder();
+    let text = "v 1 1 0\nv 0.25 -nan(ind) 0\nv -2 1 0\nf 1 2 3\n";
+    fs::write(folder.path().join("right.obj"), text).unwrap();
+    let ran = diagnose(folder.path(), "right.obj", "man.obj", "bend.json");
+    let warning =
+        "warning: right.obj:2: 1 vertex is no number (nan or infinite), which counts as wrong";
+    assert!(ran.err.contains(warning), "{}", ran.err);
+    let told = "(from 0): theirs (0.2500, NaN, 0.0000), exact (0.2500, 0.5000, 0.0000)";
+    assert!(ran.code == Some(1) && ran.out.contains(told), "{}", ran.out);
+    let (code, found) = json(folder.path(), "right.obj");
+    assert_eq!((code, &found["verdict"]), (Some(1), &"unexplained".into()));
+    assert_eq!((&found["error"], &found["off"]), (&Value::Null, &1.into()));
 }
 
 #[test]
@@ -209,7 +225,7 @@ fn a_file_that_is_wrong_or_does_not_fit_is_one_clear_error() {
         ),
         (
             "nan.obj man.obj bend.json",
-            "nan.obj:1:7: expected a number for z, found “nan”",
+            "nan.obj:1:3: expected a number for x, found “nan”",
         ),
         ("empty.obj man.obj bend.json", "empty.obj"),
         (

@@ -116,6 +116,59 @@ fn files_that_are_swapped_between_tests_are_said_to_be_and_told_anew_when_tests_
 }
 
 #[test]
+fn results_that_are_skinned_instead_of_the_mesh_at_rest_are_named_with_their_tests() {
+    let mut class = Class::new(&["robot", "robot", "robot"]);
+    let right = with(&[]);
+    class.submit("ann", &right, |number| number.to_string());
+    class.submit("bob", &right, |number| number.to_string());
+    // Ann's program begins anew at the third test, Bob's never.
+    let rest = class.tests[0].1.positions.clone();
+    let mut last = rest.clone();
+    for place in 0..3 {
+        let (test, figure) = &mut class.tests[place];
+        figure.positions = last;
+        last = right.skin(figure);
+        let text = obj(&last, figure, |number| number.to_string());
+        let students = if place < 2 {
+            &["ann", "bob"][..]
+        } else {
+            &["bob"]
+        };
+        let paths = students
+            .iter()
+            .map(|name| format!("class/{name}/{test}.obj"));
+        let paths: Vec<String> = paths.collect();
+        paths.iter().for_each(|path| class.write(path, &text));
+    }
+    let report = class.graded();
+    for (student, test, how) in [
+        ("ann", "robot-2", "that of robot-1"),
+        ("bob", "robot-2", "that of robot-1"),
+        (
+            "bob",
+            "robot-3",
+            "that of robot-1, robot-2 one upon the other",
+        ),
+    ] {
+        let found = result(&report, student, test);
+        assert_eq!(found["causes"], json!([["last-result-skinned"]]));
+        assert_eq!(found["points"], json!({"3.2": 4.0, "3.4": 6.0, "4.2": 5.0}));
+        let text = found["text"].as_str().unwrap();
+        let told = format!("instead of the mesh at rest ({how})\n");
+        assert!(text.contains(&told), "{text}");
+    }
+    for (student, test) in [("ann", "robot-1"), ("ann", "robot-3"), ("bob", "robot-1")] {
+        assert_eq!(result(&report, student, test)["outcome"], "right");
+    }
+    // It is found anew where that test is not there any more.
+    let mut tests = class.tests_file();
+    tests["tests"].as_array_mut().unwrap().remove(0);
+    class.set_tests(&tests);
+    let report = class.graded();
+    assert_eq!(result(&report, "ann", "robot-2")["outcome"], "unexplained");
+}
+
+#[test]
 fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     let class = class();
     class.graded();
@@ -420,6 +473,25 @@ fn a_section_of_the_rubric_in_which_nobody_gets_points_is_told() {
     let mut told = ran.err.lines().filter(|line| line.contains("tests.json"));
     let warning = "warning: tests.json: no test has points for 42, and nobody is given any by hand";
     assert_eq!((told.next(), told.next()), (Some(warning), None));
+}
+
+#[test]
+fn a_section_of_a_test_that_is_misspelled_is_told() {
+    let class = Class::new(&["robot", "dog"]);
+    class.submit("eve", &with(&[]), |number| number.to_string());
+    let mut tests = class.tests_file();
+    tests["tests"][0]["points"] = json!({"3,4": 6, "4.2": 10});
+    class.set_tests(&tests);
+    let ran = class.run("class --tests tests.json -o report");
+    let warning = "warning: tests.json: tests have points for 3,4, which is a section of its own beside 3.4\n";
+    assert_eq!(ran.code, Some(0));
+    assert!(ran.err.contains(warning), "{}", ran.err);
+    assert_eq!(
+        ran.err.matches("warning: tests.json").count(),
+        1,
+        "{}",
+        ran.err
+    );
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod kept;
 mod merge;
 mod missing;
 mod submissions;
+mod warnings;
 mod work;
 
 use super::output::{eprint_line, json_text, visible};
@@ -127,10 +128,7 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
     let command = command.transpose()?;
     let all = submissions::of(folder)?;
     check_output(&args.output, folder, &all)?;
-    for warning in given_to_none(&file, &all)
-        .into_iter()
-        .chain(empty_sections(&file))
-    {
+    for warning in warnings::of(&file, &all) {
         eprint_line(format_args!("warning: {}: {warning}", path.display()));
     }
     for test in &tests {
@@ -243,53 +241,6 @@ fn check_joined(output: &Path, parts: &[PathBuf]) -> Result<(), Diagnostic> {
         return Err(Diagnostic::new(output, message));
     }
     Ok(())
-}
-
-/// Points in `given` that no one gets: of submissions that are not there, and in sections that are none.
-fn given_to_none(file: &TestsFile, submissions: &[Submission]) -> Vec<String> {
-    let points = file.tests.iter().flat_map(|test| test.points.keys());
-    let sections: BTreeSet<&String> = points.chain(file.rubric.sections.keys()).collect();
-    let mut told = Vec::new();
-    for (name, given) in &file.rubric.given {
-        if submissions
-            .iter()
-            .all(|submission| submission.name != *name)
-        {
-            let is_alike = |one: &&Submission| one.name.to_lowercase() == name.to_lowercase();
-            let alike = submissions
-                .iter()
-                .find(is_alike)
-                .map_or(String::new(), |one| {
-                    format!(", but {}: the names differ in capitals", one.name)
-                });
-            told.push(format!(
-                "points are given to {name}, but there is no such submission{alike}"
-            ));
-        }
-        for section in given.keys().filter(|section| !sections.contains(section)) {
-            told.push(format!(
-                "{name} is given points for {section}, which is no section"
-            ));
-        }
-    }
-    told
-}
-
-/// Sections of the rubric in which nobody gets points, by a test or by hand.
-fn empty_sections(file: &TestsFile) -> Vec<String> {
-    let has_test = |section: &String| {
-        let mut tests = file.tests.iter();
-        tests.any(|test| test.points.contains_key(section))
-    };
-    let is_given = |section: &String| {
-        let mut given = file.rubric.given.values();
-        given.any(|given| given.contains_key(section))
-    };
-    let sections = file.rubric.sections.keys();
-    let empty = sections.filter(|section| !has_test(section) && !is_given(section));
-    empty
-        .map(|section| format!("no test has points for {section}, and nobody is given any by hand"))
-        .collect()
 }
 
 /// The test with its character and pose, whose paths start at the folder of the file of tests.

@@ -1,6 +1,8 @@
 //! The formula in letters, with what a mistake changes of it.
 
-use crate::diagnose::{AngleUnits, Chain, Divided, Factor, Formula, JointFormula, VertexOrder};
+use crate::diagnose::{
+    AngleUnits, Chain, Divided, Factor, Formula, JointFormula, Offsets, VertexOrder,
+};
 use crate::ui::theme::Palette;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Stroke, Ui};
@@ -53,6 +55,7 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
         Factor::InverseBind => ("B", "-1"),
         Factor::CurrentTransposed => ("T", "T"),
         Factor::InverseBindTransposed => ("B", "-T"),
+        Factor::BindTransposed => ("B", "T"),
     }
 }
 
@@ -140,7 +143,7 @@ fn vertex(formula: &Formula) -> Line {
 
 fn current(formula: &Formula) -> Line {
     let own = &formula.joint;
-    let mut own_parts = vec![part("Offset", left_out_if(!own.has_offset))];
+    let mut own_parts = vec![part("Offset", of_offsets(own.offsets))];
     let turns = rotations(own);
     if own.rotates_first {
         own_parts.splice(0..0, turns);
@@ -153,8 +156,16 @@ fn current(formula: &Formula) -> Line {
     chained("T =", "T(parent)", formula.chain, own_parts)
 }
 
+fn of_offsets(offsets: Offsets) -> Mark {
+    match offsets {
+        Offsets::All => Mark::Same,
+        Offsets::None => Mark::LeftOut,
+        Offsets::OfRoots | Offsets::ButOfRoots | Offsets::OfUnposed => Mark::Changed,
+    }
+}
+
 fn bind(formula: &Formula) -> Line {
-    let own = vec![part("Offset", left_out_if(!formula.joint.has_bind_offset))];
+    let own = vec![part("Offset", of_offsets(formula.joint.bind_offsets))];
     chained("B =", "B(parent)", formula.bind_chain, own)
 }
 

@@ -1,11 +1,11 @@
 //! Vertices that a program has written as what is no number.
 
-use crate::diagnose::Diagnosis;
+use super::Diagnosis;
 use std::collections::BTreeMap;
 
 /// A mesh in text, in which vertices are no numbers.
 #[derive(Debug, PartialEq)]
-pub(super) struct NoNumbers {
+pub struct NoNumbers {
     /// The same with numbers in their place that lie outside of the mesh: these vertices are right by no chance, and all
     /// others can be looked at.
     pub without: Vec<u8>,

@@ -1,0 +1,113 @@
+//! Mistakes of a whole program that are sought by themselves alone, since they are hardly made beside another one.
+
+use super::formula::Formula;
+use super::found_otherwise::{ANGLES_SCALED, OF_WHOLE_PROGRAM, SUM_NOT_RESET};
+use super::made_alone::{BY_NUMBERS, MadeAlone};
+use super::search::{AT_ONCE, Explanation, Made};
+use super::skin::Skinner;
+use crate::steps::Pace;
+use glam::DVec3;
+
+/// Factors of the angles from which on the right one is sought.
+const FACTORS: [f64; 3] = [1.0, 2.0, 0.5];
+/// Steps towards it.
+const STEPS: usize = 12;
+/// By how much a factor is changed to see what that moves.
+const A_LITTLE: f64 = 1e-4;
+/// What single precision and six digits are off by in a sum over all vertices, by the largest that it ever is.
+const ROUNDING_OF_SUMS: f64 = 1e-5;
+
+/// The mistakes that give the mesh; angles that are scaled give it as in `fits`.
+pub(super) async fn find(
+    alone: &MadeAlone<'_>,
+    fits: &MadeAlone<'_>,
+    pace: &Pace,
+) -> Vec<Explanation> {
+    let mut found = Vec::new();
+    for mistake in OF_WHOLE_PROGRAM {
+        for reading in mistake.readings {
+            let mut formula = alone.formula();
+            (reading.make)(&mut formula);
+            let made = Made { mistake, reading };
+            found.extend(alone.made_by(&formula, made, pace).await);
+        }
+    }
+    if found.is_empty() {
+        found.extend(scaled_angles(fits, pace).await);
+    }
+    if found.is_empty() {
+        found.extend(sum_not_reset(alone, pace).await);
+    }
+    found
+}
+
+/// That all angles are multiplied by the same factor, which is worked out by least squares.
+async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
+    let search = fits.search;
+    let formula = |factor: f64| {
+        let mut formula = fits.formula();
+        formula.joint.angles = [factor; 3];
+        formula
+    };
+    let placed = |factor: f64| {
+        let formula: Formula = formula(factor);
+        let mut skinner = Skinner::new(search.model, search.pose, &formula);
+        let sample = search.sample.iter();
+        let placed: Vec<DVec3> = sample.map(|&vertex| skinner.place(vertex).at).collect();
+        placed
+    };
+    for begin in FACTORS {
+        let mut factor = begin;
+        for _ in 0..STEPS {
+            let at = placed(factor);
+            let further = placed(factor + A_LITTLE);
+            pace.after(2 * search.sample.len()).await;
+            let (mut along, mut square) = (0.0, 0.0);
+            for ((at, further), &vertex) in at.iter().zip(further).zip(&search.sample) {
+                let by = (further - *at) / A_LITTLE;
+                along += by.dot(search.theirs[vertex] - *at);
+                square += by.length_squared();
+            }
+            factor += along / square;
+        }
+        if !factor.is_finite() {
+            continue;
+        }
+        if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
+            let rounded = (factor * 1e5).round() / 1e5;
+            return Some(Explanation {
+                how: Some(format!("each is {rounded} times as large")),
+                ..given
+            });
+        }
+    }
+    None
+}
+
+/// That the sum goes on from vertex to vertex.
+async fn sum_not_reset(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
+    let search = alone.search;
+    let (mut before, mut largest) = (DVec3::ZERO, 0.0_f64);
+    let mut error = 0.0_f64;
+    for (vertex, (&theirs, exact)) in search.theirs.iter().zip(alone.exact).enumerate() {
+        largest = largest.max(theirs.abs().max_element());
+        let distance = exact.distance(theirs - before) - ROUNDING_OF_SUMS * largest;
+        if distance.is_nan() || distance > search.tolerance {
+            return None;
+        }
+        error = error.max(distance);
+        before = theirs;
+        if vertex % AT_ONCE == AT_ONCE - 1 {
+            pace.after(AT_ONCE).await;
+        }
+    }
+    let made = Made {
+        mistake: &SUM_NOT_RESET,
+        reading: &BY_NUMBERS,
+    };
+    Some(Explanation {
+        made: vec![made],
+        error,
+        how: None,
+    })
+}

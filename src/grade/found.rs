@@ -1,0 +1,58 @@
+//! What a diagnosis is in grading: its outcome, and what the rubric counts.
+
+use super::graded::Outcome;
+use super::report::NEARLY;
+use crate::diagnose::{Diagnosis, NearlyRight, Verdict};
+use crate::io::{MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW};
+
+pub(super) fn outcome(verdict: Verdict) -> Outcome {
+    match verdict {
+        Verdict::Right => Outcome::Right,
+        Verdict::Triangles | Verdict::Explained => Outcome::Explained,
+        Verdict::OtherPose => Outcome::OtherPose,
+        Verdict::Unexplained => Outcome::Unexplained,
+    }
+}
+
+/// What is known of a mesh that nothing explains whole, in a few words.
+pub(super) fn hint(found: &Diagnosis) -> Option<String> {
+    if found.verdict != Verdict::Unexplained {
+        return None;
+    }
+    let mut findings = found.findings.iter();
+    if let Some(brief) = findings.find_map(|finding| finding.0.brief()) {
+        return Some(brief);
+    }
+    Some(match found.nearly_right()? {
+        NearlyRight::Rounded => "too few digits".to_owned(),
+        NearlyRight::Placed => return None,
+        NearlyRight::ButForFewWith(mistake) => format!("{NEARLY}{}", mistake.id),
+        NearlyRight::ButForFew => match found.off {
+            1 => "all but 1 vertex".to_owned(),
+            off => format!("all but {off} vertices"),
+        },
+    })
+}
+
+/// What is wrong with a mesh that is nearly right, for the rubric.
+pub(super) fn nearly(found: &Diagnosis) -> Vec<&'static str> {
+    let mut nearly = match found.nearly_right() {
+        Some(NearlyRight::Rounded) => vec![RIGHT_BUT_FOR_DIGITS],
+        Some(NearlyRight::Placed) => vec![MOVED_AS_A_WHOLE],
+        Some(NearlyRight::ButForFewWith(mistake)) => vec![mistake.id, RIGHT_BUT_FOR_FEW],
+        Some(NearlyRight::ButForFew) => vec![RIGHT_BUT_FOR_FEW],
+        None => return Vec::new(),
+    };
+    nearly.extend(found.faces.mistakes().map(|mistake| mistake.id));
+    nearly
+}
+
+/// The explanations, the one that is told in words first; none without one.
+pub(super) fn explanations(
+    told: Vec<&'static str>,
+    same_as: &[Vec<&'static str>],
+) -> Vec<Vec<String>> {
+    let first = (!told.is_empty()).then_some(&told);
+    let owned = |ids: &Vec<&str>| ids.iter().map(|&id| id.to_owned()).collect();
+    first.into_iter().chain(same_as).map(owned).collect()
+}

@@ -1,0 +1,182 @@
+//! Mistakes of a whole program that are sought by themselves alone.
+
+use crate::diagnose::figures::{Figure, turned, written};
+use crate::diagnose::student::{RIGHT, Student, with};
+use editor_core::diagnose::{Diagnosis, Verdict};
+use glam::{Mat4, Vec3};
+
+/// The diagnosis of what `student` writes of the adult.
+fn of(student: &Student, seed: u32) -> Diagnosis {
+    let figure = Figure::builtin("adult", turned(seed));
+    figure.diagnose(&written(&student.skin(&figure), 6))
+}
+
+#[track_caller]
+fn assert_named(found: &Diagnosis, id: &str, how: &str) {
+    assert_eq!(found.causes, [id], "{found}");
+    assert_eq!(found.mistakes[0].how, how, "{found}");
+}
+
+#[test]
+#[expect(clippy::approx_constant, reason = "students write π so")]
+fn angles_by_a_coarse_pi_are_named_and_by_a_fine_one_they_are_right() {
+    let of_pi = |to_radians| {
+        of(
+            &Student {
+                to_radians,
+                ..RIGHT
+            },
+            61,
+        )
+    };
+    for (found, factor) in [
+        (of_pi(|degrees| degrees * 3.14 / 180.0), 0.99949),
+        (of_pi(|degrees| degrees * 22.0 / 7.0 / 180.0), 1.0004),
+        (of_pi(|degrees| degrees * 3.0 / 180.0), 0.95493),
+        // As if a turn had 180 degrees.
+        (of_pi(|degrees| 2.0 * degrees.to_radians()), 2.0),
+        (of_pi(|degrees| 0.5 * degrees.to_radians()), 0.5),
+    ] {
+        assert_named(
+            &found,
+            "angles-scaled",
+            &format!("each is {factor} times as large"),
+        );
+        assert_eq!(found.mistakes[0].section, "3.4 Sliders");
+    }
+    let fine = of_pi(|degrees| degrees * 3.14159 / 180.0);
+    assert_eq!(fine.verdict, Verdict::Right, "{fine}");
+}
+
+#[test]
+fn angles_about_other_axes_are_named_with_these_axes() {
+    let of_slider = |slider| of(&Student { slider, ..RIGHT }, 62);
+    for (found, how) in [
+        (
+            of_slider(|a| Vec3::new(a.y, a.x, a.z)),
+            "those about x and y are exchanged",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.x, a.z, a.y)),
+            "those about y and z are exchanged",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.z, a.y, a.x)),
+            "those about x and z are exchanged",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.z, a.x, a.y)),
+            "that about x about y, y about z, z about x",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.y, a.z, a.x)),
+            "that about x about z, y about x, z about y",
+        ),
+    ] {
+        assert_named(&found, "angles-exchanged", how);
+    }
+}
+
+#[test]
+fn angles_of_neighboring_joints_are_named() {
+    let figure = Figure::builtin("adult", turned(63));
+    let mut before = Figure::builtin("adult", turned(63));
+    before.degrees.insert(0, Vec3::ZERO);
+    before.degrees.pop();
+    let mut after = Figure::builtin("adult", turned(63));
+    after.degrees.remove(0);
+    after.degrees.push(Vec3::ZERO);
+    for (wrong, how) in [
+        (before, "of the joint before them"),
+        (after, "of the joint after them"),
+    ] {
+        let found = figure.diagnose(&written(&RIGHT.skin(&wrong), 6));
+        assert_named(&found, "angles-shifted", how);
+    }
+}
+
+#[test]
+fn a_sum_that_each_joint_overwrites_is_named() {
+    let last = Student {
+        weights: |weights| weights.last().copied().into_iter().collect(),
+        ..RIGHT
+    };
+    let found = of(&last, 64);
+    assert_named(
+        &found,
+        "sum-overwritten",
+        "the last one with a weight counts",
+    );
+    let last_of_all = Student {
+        weights: |mut weights| {
+            weights.retain(|(joint, _)| *joint == 17);
+            weights
+        },
+        ..RIGHT
+    };
+    let how = "the last one of all counts, whatever its weight";
+    assert_named(&of(&last_of_all, 64), "sum-overwritten", how);
+}
+
+#[test]
+fn a_sum_that_goes_on_from_vertex_to_vertex_is_named() {
+    let figure = Figure::builtin("adult", turned(65));
+    let mut sum = Vec3::ZERO;
+    let sums = RIGHT.skin(&figure).into_iter().map(|vertex| {
+        sum += vertex;
+        sum
+    });
+    let sums: Vec<Vec3> = sums.collect();
+    for digits in [6, 9] {
+        let found = figure.diagnose(&written(&sums, digits));
+        assert_named(&found, "sum-not-reset", "");
+    }
+    let reset_once: Vec<Vec3> = sums.iter().map(|sum| *sum - sums[200]).collect();
+    let found = figure.diagnose(&written(&reset_once, 6));
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+}
+
+#[test]
+fn a_result_that_is_skinned_once_more_is_named() {
+    let figure = Figure::builtin("adult", turned(66));
+    let mut again = Figure::builtin("adult", turned(66));
+    again.positions = RIGHT.skin(&figure);
+    let found = figure.diagnose(&written(&RIGHT.skin(&again), 6));
+    assert_named(&found, "last-result-skinned", "that of the same pose");
+}
+
+#[test]
+fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
+    let turns_some = |joint: usize| match joint % 3 {
+        0 => Vec3::ZERO,
+        _ => turned(67)(joint),
+    };
+    let figure = Figure::builtin("adult", turns_some);
+    let overwrites = Student {
+        joint: |offset, rotation| match rotation == Mat4::IDENTITY {
+            true => offset,
+            false => rotation,
+        },
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&overwrites.skin(&figure), 6));
+    assert_named(&found, "translation-overwritten", "");
+
+    let root = figure.parents.iter().position(Option::is_none).unwrap();
+    let offset = figure.offsets[root];
+    let moved: Vec<Vec3> = RIGHT.skin(&figure).iter().map(|at| *at - offset).collect();
+    let found = figure.diagnose(&written(&moved, 6));
+    assert_named(&found, "root-translation-missing", "");
+
+    let mut of_root = Figure::builtin("adult", turns_some);
+    for (joint, offset) in of_root.offsets.iter_mut().enumerate() {
+        if joint != root {
+            *offset = Vec3::ZERO;
+        }
+    }
+    let found = figure.diagnose(&written(&RIGHT.skin(&of_root), 6));
+    let how = "in T and in B, but roots have theirs";
+    assert_named(&found, "translation-missing", how);
+    let found = figure.diagnose(&written(&with(&["translation-missing"]).skin(&figure), 6));
+    assert_named(&found, "translation-missing", "in T and in B");
+}
