@@ -64,6 +64,9 @@ impl StickFigure {
     }
 }
 
+/// Length of a bone by that of what it moves below which it is a stub.
+const STUB: f32 = 0.125;
+
 /// Weight above which a joint dominates a vertex.
 const DOMINANT: f32 = 0.5;
 
@@ -88,7 +91,7 @@ impl JointBone {
 }
 
 /// Bones of a character, ordered by joint: if the file gives the length of a joint's bone, that
-/// one; otherwise one to each child that is not at the same place; and for a joint without children
+/// one, or at a joint without children one that can be grabbed; otherwise one to each child that is not at the same place; and for a joint without children
 /// one as far as the vertices reach that it dominates.
 pub(super) fn bones(
     skeleton: &SkeletalModel,
@@ -100,7 +103,8 @@ pub(super) fn bones(
     for (joint, described) in skeleton.joints().iter().enumerate() {
         let children = skeleton.children(joint);
         let tips: Vec<Vec3> = match (described.tip, children.is_empty()) {
-            (Some(tip), _) => vec![tip],
+            (Some(tip), true) => vec![no_stub(tip, reach[joint])],
+            (Some(tip), false) => vec![tip],
             (None, true) => vec![reach[joint]],
             (None, false) => children
                 .iter()
@@ -113,6 +117,18 @@ pub(super) fn bones(
         bones.extend(long.map(|tip| JointBone { joint, tip }));
     }
     bones
+}
+
+/// `tip`, or the end of a bone in its direction that `reach` is as long as, if it is a stub beside that: such a bone
+/// hides in its joint, and the head that it moves could be grabbed nowhere.
+fn no_stub(tip: Vec3, reach: Vec3) -> Vec3 {
+    let along = tip.normalize_or_zero();
+    let far = reach.dot(along);
+    if tip.length() < STUB * far {
+        along * far
+    } else {
+        tip
+    }
 }
 
 /// Tips of the bones of all joints without children: the farthest extent of the vertices that the
@@ -205,11 +221,27 @@ mod tests {
             joint(None, [0.0; 3], Some(Vec3::Y * 0.5)),
             joint(Some(0), [0.0, 2.0, 0.0], Some(Vec3::X)),
         ];
-        let bones = character(joints, &[([9.0, 9.0, 9.0], 1, 1.0)])
+        let bones = character(joints, &[([5.0, 5.0, 5.0], 1, 1.0)])
             .bones()
             .to_vec();
         let tips: Vec<_> = bones.iter().map(|bone| (bone.joint, bone.tip)).collect();
         assert_eq!(tips, [(0, Vec3::Y * 0.5), (1, Vec3::X)]);
+    }
+
+    #[test]
+    fn a_stub_at_a_leaf_reaches_as_far_as_what_it_moves_so_that_it_can_be_grabbed() {
+        let tip_of = |tip: Vec3| {
+            let joints = vec![
+                joint(None, [0.0; 3], None),
+                joint(Some(0), [0.0, 1.0, 0.0], Some(tip)),
+            ];
+            let head = [([0.5, 3.0, 0.0], 1, 1.0), ([-0.5, 3.0, 0.0], 1, 1.0)];
+            character(joints, &head).bones()[1].tip
+        };
+        assert!(tip_of(Vec3::Y * 0.2).abs_diff_eq(Vec3::Y * 2.0, 1e-6));
+        for long_or_elsewhere in [Vec3::Y * 0.3, Vec3::X * 0.2, Vec3::Y * -0.2] {
+            assert_eq!(tip_of(long_or_elsewhere), long_or_elsewhere);
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::math::{Aabb, Euler, Transform};
 use crate::scene::{
     Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeId, ShapeKind,
 };
-use glam::Vec3;
+use glam::{Mat4, Vec3};
 
 /// Gap between a figure and what it stands beside, relative to its width.
 const GAP: f32 = 0.1;
@@ -17,6 +17,8 @@ const INSIDE: f32 = 0.1;
 const MOSTLY_INSIDE: f32 = 0.5;
 /// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
 const OFF_THE_GROUND: f32 = 0.02;
+/// Depth of shapes by their width and height from which on they hide themselves.
+const DEEP: f32 = 2.0;
 /// Cosine of the angle from which on a figure shows its back.
 const BACK: f32 = -0.5;
 
@@ -42,11 +44,43 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
         let front = shape.front();
         front.filter(|_| shape.visible)
     });
-    if shows_back(front, wanted.unwrap_or(to_eye)) && turn_round(shapes, bounds.center()) {
+    let wanted = wanted.unwrap_or(to_eye);
+    if shows_back(front, wanted) && turn_round(shapes, bounds.center()) {
         bounds = bounds_of(shapes);
     }
-    let beside = way_out(&bounds, &standing(session));
+    let others = standing(session);
+    let mut beside = way_out(&bounds, &others);
+    let back = backwards(&bounds, &others, wanted);
+    if beside != Vec3::ZERO && back != Vec3::ZERO {
+        beside = back + way_out(&bounds.transformed(Mat4::from_translation(back)), &others);
+    }
     stand_beside(session, shapes, beside, &bounds);
+}
+
+/// The way back for what is deep, seen from the side that `others` face, until it stands out no further than these:
+/// before them it would hide them.
+fn backwards(bounds: &Aabb, others: &[Stander], facing: Vec3) -> Vec3 {
+    let level = facing.with_y(0.0).normalize_or_zero();
+    if level == Vec3::ZERO || !is_deep(bounds, level) {
+        return Vec3::ZERO;
+    }
+    let reach = |bounds: &Aabb| {
+        let half = bounds.size() / 2.0;
+        level.dot(bounds.center()) + level.abs().dot(half)
+    };
+    let others = others.iter().map(|other| reach(&other.bounds));
+    let further = reach(bounds) - others.fold(f32::NEG_INFINITY, f32::max);
+    let further = Some(further).filter(|by| by.is_finite());
+    -level * further.unwrap_or(0.0).max(0.0)
+}
+
+/// Whether what has these bounds is so deep, seen from the side that `front` faces, that most of it is behind its nearest
+/// part.
+pub fn is_deep(bounds: &Aabb, front: Vec3) -> bool {
+    let size = bounds.size();
+    let depth = size.dot(front.abs());
+    let across = size.dot(front.cross(Vec3::Y).abs());
+    depth > DEEP * across.max(size.y)
 }
 
 /// What is seen in the document.
@@ -77,7 +111,7 @@ fn stand_beside(session: &Session, shapes: &mut [NewShape], mut beside: Vec3, bo
     if beside != Vec3::ZERO
         && let Some(ground) = ground_of_characters(session)
     {
-        let up = ground - bounds.min.y;
+        let up = ground - lowest_at_rest(shapes);
         if up.abs() > OFF_THE_GROUND * bounds.size().y {
             beside.y = up;
         }
@@ -97,7 +131,7 @@ pub fn lift_onto_ground(session: &Session, shapes: &mut [NewShape]) {
     let heights = standing(session).into_iter().map(|one| one.bounds.min.y);
     let ground = heights.fold(f32::INFINITY, f32::min);
     let bounds = bounds_of(shapes);
-    let up = ground - bounds.min.y;
+    let up = ground - lowest_at_rest(shapes);
     if up.is_finite() && up > OFF_THE_GROUND * bounds.size().y {
         for shape in shapes {
             shape.placement.transform.position.y += up;
@@ -201,6 +235,17 @@ pub fn bounds_of(shapes: &[NewShape]) -> Aabb {
     let alone = evaluated_alone(shapes);
     let all = alone.shapes.iter();
     all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
+}
+
+/// The height that shapes, which are to be added, stand on: of what their meshes have, if they have any, since a joint
+/// may hang below.
+fn lowest_at_rest(shapes: &[NewShape]) -> f32 {
+    let alone = evaluated_alone(shapes);
+    let lowest = alone.shapes.iter().map(|shape| match at_rest(shape) {
+        mesh if mesh.is_empty() => shape.world_bounds().min.y,
+        mesh => mesh.min.y,
+    });
+    lowest.fold(f32::INFINITY, f32::min)
 }
 
 fn evaluated_alone(shapes: &[NewShape]) -> Evaluated {

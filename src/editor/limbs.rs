@@ -51,8 +51,12 @@ pub(super) fn root_at_hips(skeleton: &SkeletalModel, joint: usize) -> Option<usi
     let bounds = Aabb::from_points(places.iter().copied());
     let size = bounds.size().length();
     let from_root = |joint: usize| places[joint].distance(places[root]);
-    let is_waist =
-        || from_root(joint) < BESIDE * size && above.iter().any(|&joint| is_fork(skeleton, joint));
+    let is_beside = |joint: usize| from_root(joint) < BESIDE * size;
+    // A foot may stand beside a root on the ground, but on a leg that does not.
+    let is_waist = || {
+        let mut line = above.iter().chain([&joint]);
+        line.all(|&joint| is_beside(joint)) && above.iter().any(|&joint| is_fork(skeleton, joint))
+    };
     let is_pelvis = || {
         let ground = bounds.min.y + BESIDE * size;
         let hips = pelvis(skeleton, joint, |foot| places[foot].y < ground);
@@ -98,10 +102,15 @@ pub(super) fn ankle_above(skeleton: &SkeletalModel, toe: usize) -> Option<usize>
     let knee = parent(ankle)?;
     // The hip hangs on something.
     parent(parent(knee)?)?;
-    // A palm has several fingers.
+    // A palm has several fingers, and a neck hangs where arms do.
     let is_single = skeleton.children(ankle).len() == 1;
+    let beside = skeleton.children(knee).iter();
+    let is_neck = beside.filter(|&&child| child != ankle).any(|&child| {
+        let mut below = skeleton.children(child).iter();
+        below.any(|&next| !skeleton.children(next).is_empty())
+    });
     let is_foot = ends_limb(length(toe), [length(ankle), length(knee)]);
-    (is_single && is_foot).then_some(ankle)
+    (is_single && is_foot && !is_neck).then_some(ankle)
 }
 
 /// Whether a bone of `joint` that ends at `tip`, where there is no joint, is a foot or a hand at the end of a limb: short
@@ -133,7 +142,9 @@ pub(super) fn wrist(skeleton: &SkeletalModel, bone: &JointBone) -> Option<usize>
         let parent = joints[joint].parent?;
         let leading = joints[joint].offset.length();
         let branches = skeleton.children(joint).len() > 1;
-        if branches && leading >= FOREARM * longest {
+        // From a root on the ground it is a long way to the hips.
+        let is_arm = joints[parent].parent.is_some();
+        if branches && is_arm && leading >= FOREARM * longest {
             return Some(joint);
         }
         longest = longest.max(leading);
@@ -256,6 +267,35 @@ pub(super) mod tests {
             .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
             .collect();
         assert_eq!(root_at_hips(&skeleton(&chain), 1), None);
+    }
+
+    #[test]
+    fn a_root_on_the_ground_makes_no_waist_of_feet_and_no_hand_of_the_head() {
+        let mut joints = vec![
+            (None, [0.0, 0.0, 0.0]),
+            (Some(0), [0.0, 1.0, 0.0]),
+            (Some(1), [0.0, 0.3, 0.0]),
+            (Some(2), [0.0, 0.25, 0.0]),
+            (Some(3), [0.0, 0.1, 0.0]),
+        ];
+        for x in [-0.08, 0.08] {
+            let (hip, shoulder) = (joints.len(), joints.len() + 4);
+            joints.push((Some(1), [x, 0.0, 0.0]));
+            joints.push((Some(hip), [0.0, -0.5, 0.0]));
+            joints.push((Some(hip + 1), [0.0, -0.45, 0.0]));
+            joints.push((Some(hip + 2), [0.0, -0.03, 0.1]));
+            joints.push((Some(2), [2.0 * x, 0.2, 0.0]));
+            joints.push((Some(shoulder), [3.0 * x, 0.0, 0.0]));
+            joints.push((Some(shoulder + 1), [3.0 * x, 0.0, 0.0]));
+        }
+        let body = skeleton(&joints);
+        let (neck, head, ankle, toe) = (3, 4, 7, 8);
+        for joint in [ankle, toe, head] {
+            assert_eq!(root_at_hips(&body, joint), None, "{joint}");
+        }
+        assert_eq!(wrist(&body, &bone(neck, [0.0, 0.1, 0.0])), None);
+        assert_eq!(ankle_above(&body, head), None, "a neck is no ankle");
+        assert_eq!(ankle_above(&body, toe), Some(ankle));
     }
 
     #[test]

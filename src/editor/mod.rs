@@ -25,7 +25,7 @@ mod step_name;
 mod swing;
 
 pub use among::{
-    bounds_of, kept_on_ground, lift_onto_ground, set_among, set_beside_each_other,
+    bounds_of, is_deep, kept_on_ground, lift_onto_ground, set_among, set_beside_each_other,
     set_beside_figures,
 };
 pub use apply::{Change, EditError, apply};

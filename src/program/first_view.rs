@@ -2,7 +2,7 @@
 
 use super::running::Program;
 use crate::character::Facing;
-use crate::editor::{View, bounds_of, lift_onto_ground, set_among};
+use crate::editor::{View, bounds_of, is_deep, lift_onto_ground, set_among};
 use crate::io;
 use crate::math::Aabb;
 use crate::render::MANNEQUIN_LIGHT;
@@ -22,8 +22,6 @@ const ABOVE_TEXTURES: f32 = 0.5;
 const ASIDE: f32 = 0.9;
 /// Part of a figure that is added that has to be in the picture.
 const WHOLE: f32 = 0.75;
-/// Depth of shapes by their width and height from which on they are seen from aside.
-const DEEP: f32 = 2.0;
 /// Width over height of the course's window.
 const COURSE_ASPECT: f32 = 4.0 / 3.0;
 /// Least share of the course's picture that a character takes up there, to be seen well.
@@ -89,7 +87,7 @@ impl Program {
         let front = front(shapes);
         let (from, above) = if view.look == Look::Mannequin && shapes.iter().any(is_textured) {
             (beside(front, MANNEQUIN_LIGHT), ABOVE_TEXTURES)
-        } else if hides_itself(shapes, front) {
+        } else if is_deep(&bounds_of(shapes), front) {
             (Quat::from_rotation_y(-ASIDE) * front, ABOVE)
         } else {
             (front, ABOVE)
@@ -160,8 +158,38 @@ impl Program {
             // A figure that fills the view is too near, and hides what was there; a room may be all around.
             let is_whole = fronts.next().is_none() || camera.seen_part(&bounds, aspect) >= WHOLE;
             let is_seen = camera.sees(&bounds, aspect) && is_whole;
-            self.fit_due |= !is_seen && !bounds.is_empty();
+            if !is_seen && !bounds.is_empty() {
+                self.fit_due = true;
+                if let Some(camera) = self.turned_aside(&bounds, added) {
+                    self.session.look(View::SetCamera(camera));
+                }
+            }
         }
+    }
+
+    /// The camera turned aside, if what has been `added` hides itself before it, to the side on which it hides nothing
+    /// else.
+    fn turned_aside(&self, bounds: &Aabb, added: &[ShapeId]) -> Option<Camera> {
+        let camera = self.session.view().camera;
+        let to_eye = (camera.eye() - camera.target)
+            .with_y(0.0)
+            .normalize_or_zero();
+        if to_eye == Vec3::ZERO || !is_deep(bounds, to_eye) {
+            return None;
+        }
+        let shapes = self.session.evaluated().shapes.iter();
+        let others = shapes.filter(|shape| shape.visible && !added.contains(&shape.id));
+        let others = others.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
+        let sides = [-ASIDE, ASIDE].map(|angle| Quat::from_rotation_y(angle) * to_eye);
+        let from_others = match others.is_empty() {
+            true => Vec3::ZERO,
+            false => bounds.center() - others.center(),
+        };
+        let nearest = |side: &Vec3| side.dot(from_others);
+        let side = sides
+            .into_iter()
+            .min_by(|a, b| nearest(a).total_cmp(&nearest(b)))?;
+        Some(camera.facing(side, camera.phi))
     }
 
     /// Fits everything into the picture, once its size is known, unless it is seen well in a view of
@@ -252,14 +280,6 @@ fn beside(front: Vec3, light: Vec3) -> Vec3 {
     } else {
         other
     }
-}
-
-/// Whether shapes are so deep, seen from the front, that most of them is behind their nearest part.
-fn hides_itself(shapes: &[NewShape], front: Vec3) -> bool {
-    let size = bounds_of(shapes).size();
-    let depth = size.dot(front.abs());
-    let across = size.dot(front.cross(Vec3::Y).abs());
-    depth > DEEP * across.max(size.y)
 }
 
 /// The front of the first character among `shapes`, in the world; +Z if there is none.

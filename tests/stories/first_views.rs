@@ -118,6 +118,44 @@ fn a_figure_that_would_fill_the_view_is_seen_whole() {
 }
 
 #[test]
+fn a_deep_figure_that_is_imported_beside_another_hides_neither_it_nor_itself() {
+    let [robot, cubes] = ["robot", "long_cubes"].map(|name| {
+        let path = crate::reference_data::reference(&format!("mannequin/{name}.dae"))?;
+        Some((name, std::fs::read(path).unwrap()))
+    });
+    let (Some(robot), Some(cubes)) = (robot, cubes) else {
+        return;
+    };
+    let files = [robot, cubes].map(|(name, bytes)| (format!("{name}.dae").into(), bytes));
+    let host = crate::host::MemoryHost {
+        files: files.into(),
+        stored: [crate::stories::started_before()].into(),
+        ..Default::default()
+    };
+    let mut story = Story::start_at(host, &["robot.dae"]);
+    story.import("long_cubes.dae");
+    let front = story.session().scene().shapes()[0].front().unwrap();
+    let bounds = |at: usize| story.session().evaluated().shapes[at].world_bounds();
+    let camera = story.session().view().camera;
+    let from_eye = |at: usize| bounds(at).center().distance(camera.eye());
+    assert!(from_eye(0) < from_eye(1));
+    let to_eye = (camera.eye() - camera.target).with_y(0.0).normalize();
+    assert!((0.4..0.9).contains(&to_eye.dot(front)), "{to_eye}");
+    // From the front one stands beside the other.
+    story
+        .program
+        .session_mut()
+        .look(View::SetCamera(camera.facing(front, 0.2)));
+    story.key_with(Modifiers::SHIFT, Key::F);
+    let shapes = story.session().scene().shapes();
+    let [robot, cubes] = [&shapes[0], &shapes[1]].map(|shape| story.on_screen(shape));
+    assert!(
+        robot.intersect(cubes).width() < 0.2 * robot.width(),
+        "{robot} {cubes}"
+    );
+}
+
+#[test]
 fn what_is_inserted_stands_beside_the_figure_that_would_hide_it() {
     for key in [Key::C, Key::S, Key::P] {
         let mut story = Story::start(&["builtin:adult"]);
