@@ -121,7 +121,8 @@ impl FaceDifference {
     /// The mistakes that it is. Triangles that are there besides those of the model are none.
     pub fn mistakes(&self) -> impl Iterator<Item = &'static Mistake> {
         let differ = (self.missing > 0).then_some(&TRIANGLES_DIFFER);
-        let turned = (self.turned > 0).then_some(&TRIANGLES_TURNED);
+        // Of others, such as those with wrong indices, some are by chance what turned ones would be.
+        let turned = (self.turned > 0 && self.turned >= self.other).then_some(&TRIANGLES_TURNED);
         differ.into_iter().chain(turned)
     }
 

@@ -83,13 +83,15 @@ pub enum AnglesOf {
     Before,
     /// The one after it in the file; the last has none.
     After,
+    /// Itself, but roots have none.
+    ItselfButRoots,
 }
 
 impl AnglesOf {
     /// The joint whose angles that at the index `joint` is given, if there are so many; `None` before the first.
     pub(super) fn joint(self, joint: usize) -> Option<usize> {
         match self {
-            Self::Itself => Some(joint),
+            Self::Itself | Self::ItselfButRoots => Some(joint),
             Self::Before => joint.checked_sub(1),
             Self::After => Some(joint + 1),
         }
@@ -289,6 +291,8 @@ pub enum Columns {
     After,
     /// Its own for the last joint, and none for all others.
     LastAlone,
+    /// None for the last joint, and its own for all others.
+    WithoutLast,
     /// Its own, but for that of one joint, which counts for none.
     Without(usize),
     /// Its own, but for two joints, each of which has the other's.

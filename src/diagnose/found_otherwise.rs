@@ -88,13 +88,15 @@ pub(super) static SUM_BEGUN_AT_REST: Mistake = Mistake {
     readings: &[reading("", |formula| formula.begins_at_rest = true)],
 };
 
-/// A mistake in the weights of one joint, which is found joint by joint.
+/// A mistake in the weights of one joint, which is found joint by joint, or of the last one beside another mistake.
 pub(super) static JOINT_LEFT_OUT: Mistake = Mistake {
     id: "joint-left-out",
     meaning: "the weights of one joint are left out",
     section: SSD,
     look_at: "updateMeshVertices: the loop over the joints, from the first to the last",
-    readings: &[],
+    readings: &[reading("the last one", |formula| {
+        formula.weights.columns = Columns::WithoutLast;
+    })],
 };
 
 /// A mistake in how the pose comes to joints.
@@ -138,12 +140,12 @@ pub(super) static SUM_OVERWRITTEN: Mistake = Mistake {
     ],
 };
 
-/// A mistake in the weighted sum, for which the mesh is looked at from vertex to vertex.
-pub(super) static SUM_NOT_RESET: Mistake = Mistake {
+/// A mistake in the weighted sum, for which the mesh is looked at from vertex to vertex, and in grading from test to test.
+pub static SUM_NOT_RESET: Mistake = Mistake {
     id: "sum-not-reset",
-    meaning: "the sum goes on from vertex to vertex, so that each has those before it as well",
+    meaning: "the sum is not set to 0 first, so that it goes on from what it was",
     section: SSD,
-    look_at: "updateMeshVertices: the sum is set to 0 inside of the loop over the vertices",
+    look_at: "updateMeshVertices: the sum is set to 0 inside of the loop over the vertices, each time that it runs",
     readings: &[],
 };
 
@@ -199,6 +201,26 @@ pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
     ],
 };
 
+/// A mistake at roots alone.
+pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
+    id: "root-angles-missing",
+    meaning: "the root is not turned",
+    section: SLIDERS,
+    look_at: "setJointTransform and the loop over the joints that calls it: the root, joint 0, has sliders as well",
+    readings: &[reading("", |formula| {
+        formula.joint.angles_of = AnglesOf::ItselfButRoots;
+    })],
+};
+
+/// A mistake in how weights are read, which changes all rows.
+pub(super) static WEIGHT_ROWS_DRIFT: Mistake = Mistake {
+    id: "weight-rows-drift",
+    meaning: "rows of weights are read with a number for every joint, so that each begins later than the one before",
+    section: SSD,
+    look_at: "where the .attach file is read: a row has a number for each joint but the root",
+    readings: &[],
+};
+
 /// A mistake in the units of the angles, whose factor is worked out from the mesh.
 pub(super) static ANGLES_SCALED: Mistake = Mistake {
     id: "angles-scaled",
@@ -209,8 +231,9 @@ pub(super) static ANGLES_SCALED: Mistake = Mistake {
 };
 
 /// Those of a whole program that are made in few ways, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 9] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 10] = [
     &ROOT_ROTATED_FIRST,
+    &ROOT_ANGLES_MISSING,
     &STACK_NOT_POPPED,
     &TRANSLATION_OVERWRITTEN,
     &ROOT_TRANSLATION_MISSING,
@@ -222,7 +245,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 9] = [
 ];
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 17] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 19] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
@@ -240,4 +263,6 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 17] = [
     &ANGLES_EXCHANGED,
     &ANGLES_SHIFTED,
     &ANGLES_SCALED,
+    &ROOT_ANGLES_MISSING,
+    &WEIGHT_ROWS_DRIFT,
 ];

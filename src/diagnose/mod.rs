@@ -36,7 +36,7 @@ pub use formula::{
     AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
     JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
 };
-pub use found_otherwise::LAST_RESULT_SKINNED;
+pub use found_otherwise::{LAST_RESULT_SKINNED, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};

@@ -2,6 +2,7 @@
 
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
+use super::found_otherwise::{JOINT_LEFT_OUT, OF_WHOLE_PROGRAM};
 use super::mistakes::{MISTAKES, Mistake, Reading};
 use super::model::Model;
 use super::skin::{Placed, Skinner};
@@ -136,7 +137,8 @@ impl<'a> Search<'a> {
                 .find(|one| std::ptr::eq(one.made.reading, made.reading));
             one.map_or(f64::INFINITY, |one| one.nearness.mean)
         };
-        let all: Vec<(Made, Made, Formula)> = pairs_of_ways().collect();
+        let all: Vec<(Made, Made, Formula)> =
+            pairs_of_ways().chain(pairs_with_whole_program()).collect();
         let mut found = Vec::new();
         for (done, (first, second, both)) in all.iter().enumerate() {
             pace.tell(done as f32 / all.len() as f32);
@@ -230,19 +232,32 @@ pub(super) fn ways() -> impl Iterator<Item = Made> {
 pub(super) fn pairs_of_ways() -> impl Iterator<Item = (Made, Made, Formula)> {
     let firsts = ways().enumerate();
     firsts.flat_map(|(index, first)| {
-        let formula_of_first = formula(&[first]);
-        ways().skip(index + 1).filter_map(move |second| {
-            if std::ptr::eq(first.mistake, second.mistake) {
-                return None;
-            }
-            let both = formula(&[first, second]);
-            // Both change the same part, or one of them has nothing left to change.
-            let is_one = both != formula(&[second, first])
-                || both == formula_of_first
-                || both == formula(&[second]);
-            (!is_one).then_some((first, second, both))
-        })
+        let seconds = ways().skip(index + 1);
+        seconds.filter_map(move |second| made_together(first, second))
     })
+}
+
+/// Two mistakes with the formula that has both; `None` if they are one, or cannot be made together.
+fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
+    if std::ptr::eq(first.mistake, second.mistake) {
+        return None;
+    }
+    let both = formula(&[first, second]);
+    // Both change the same part, or one of them has nothing left to change.
+    let is_one = both != formula(&[second, first])
+        || both == formula(&[first])
+        || both == formula(&[second]);
+    (!is_one).then_some((first, second, both))
+}
+
+/// Every two ways of which one is that of a mistake that is sought alone first, with the formula that has both.
+fn pairs_with_whole_program() -> impl Iterator<Item = (Made, Made, Formula)> {
+    let of_whole = OF_WHOLE_PROGRAM.into_iter().chain([&JOINT_LEFT_OUT]);
+    let firsts = of_whole.flat_map(|mistake| {
+        let readings = mistake.readings.iter();
+        readings.map(move |reading| Made { mistake, reading })
+    });
+    firsts.flat_map(|first| ways().filter_map(move |second| made_together(first, second)))
 }
 
 /// The exact formula with mistakes, made in this order.

@@ -2,8 +2,8 @@
 
 use super::choices::choices;
 use super::formula::{
-    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept, OtherJoint,
-    Rescaled, Rows, WeightFormula,
+    AngleUnits, AnglesOf, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept,
+    OtherJoint, Rescaled, Rows, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -244,7 +244,12 @@ impl Joints {
             let mut angles = DVec3::ZERO;
             let mut moved = DVec3::ZERO;
             if own.has_pose {
-                angles = angles_of(joint);
+                let is_left_out = own.angles_of == AnglesOf::ItselfButRoots && is_root(joint);
+                angles = if is_left_out {
+                    DVec3::ZERO
+                } else {
+                    angles_of(joint)
+                };
                 moved = pose.root_offset(joint).as_dvec3();
             }
             let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
@@ -287,7 +292,8 @@ impl Joints {
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
             Columns::After => index + 1,
             Columns::LastAlone if index + 1 < self.order.len() => return None,
-            Columns::LastAlone => index,
+            Columns::WithoutLast if index + 1 == self.order.len() => return None,
+            Columns::LastAlone | Columns::WithoutLast => index,
             Columns::Without(joint) if index == joint => return None,
             Columns::Without(_) => index,
             Columns::Exchanged(a, b) if index == a => b,

@@ -19,6 +19,8 @@ const MOSTLY_INSIDE: f32 = 0.5;
 const OFF_THE_GROUND: f32 = 0.02;
 /// Depth of shapes by their width and height from which on they hide themselves.
 const DEEP: f32 = 2.0;
+/// How many times as far along X as along Z the eye is, from where figures stand beside each other along Z.
+const FROM_THE_SIDE: f32 = 1.5;
 /// Cosine of the angle from which on a figure shows its back.
 const BACK: f32 = -0.5;
 
@@ -34,7 +36,7 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
         if shapes.iter().all(is_curve) {
             let mut figures = standing(session);
             figures.retain(|other| other.is_figure);
-            let beside = way_out(&body_of(&bounds), &figures);
+            let beside = way_out(&body_of(&bounds), &figures, Vec3::X);
             stand_beside(session, shapes, beside, &bounds);
         }
         return;
@@ -49,10 +51,14 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
         bounds = bounds_of(shapes);
     }
     let others = standing(session);
-    let mut beside = way_out(&bounds, &others);
+    // Across the view: along it one would hide the other.
+    let is_from_x = to_eye.x.abs() > FROM_THE_SIDE * to_eye.z.abs();
+    let along = if is_from_x { Vec3::Z } else { Vec3::X };
+    let mut beside = way_out(&bounds, &others, along);
     let back = backwards(&bounds, &others, wanted);
-    if beside != Vec3::ZERO && back != Vec3::ZERO {
-        beside = back + way_out(&bounds.transformed(Mat4::from_translation(back)), &others);
+    if beside != Vec3::ZERO && back != Vec3::ZERO && !is_from_x {
+        let moved = bounds.transformed(Mat4::from_translation(back));
+        beside = back + way_out(&moved, &others, along);
     }
     stand_beside(session, shapes, beside, &bounds);
 }
@@ -182,7 +188,7 @@ pub fn set_beside_figures(session: &Session, shape: &mut NewShape) {
     };
     let mut figures = standing(session);
     figures.retain(|other| other.is_figure);
-    by += way_out(&lifted, &figures);
+    by += way_out(&lifted, &figures, Vec3::X);
     for placement in [&mut shape.placement, &mut shape.start] {
         placement.transform.position += by;
     }
@@ -301,14 +307,14 @@ struct Stander {
     is_figure: bool,
 }
 
-/// The least movement along +X after which a figure with these `bounds` stands in none of those that are there.
-fn way_out(bounds: &Aabb, there: &[Stander]) -> Vec3 {
-    let gap = GAP * bounds.size().x;
-    let after = |other: &Stander| other.bounds.max.x + gap - bounds.min.x;
+/// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none of those that are there.
+fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
+    let gap = GAP * bounds.size().dot(along);
+    let after = |other: &Stander| (other.bounds.max - bounds.min).dot(along) + gap;
     let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
     ways.sort_by(f32::total_cmp);
     let ways = std::iter::once(0.0).chain(ways);
-    let ways = ways.map(|way| Vec3::X * way);
+    let ways = ways.map(|way| along * way);
     let mut free = ways.filter(|&way| {
         let moved = Aabb {
             min: bounds.min + way,
@@ -339,7 +345,7 @@ mod tests {
 
     fn way_among(own: &Aabb, there: &[Aabb], is_figure: bool) -> Vec3 {
         let there = there.iter().map(|&bounds| Stander { bounds, is_figure });
-        super::way_out(own, &there.collect::<Vec<_>>())
+        super::way_out(own, &there.collect::<Vec<_>>(), Vec3::X)
     }
 
     fn way_out(own: &Aabb, there: &[Aabb]) -> Vec3 {

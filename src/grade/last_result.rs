@@ -1,8 +1,8 @@
-//! Meshes that come of skinning the result of another test in place of the mesh at rest, as programs give them that
-//! skin what they have skinned before.
+//! Meshes that come of results of other tests, which a program keeps from one to the next: it skins them in place of
+//! the mesh at rest, or goes on with their sums.
 
 use crate::character::{Character, Pose};
-use crate::diagnose::measure;
+use crate::diagnose::{LAST_RESULT_SKINNED, Mistake, SUM_NOT_RESET, measure};
 use crate::geometry::Mesh;
 use glam::Vec3;
 
@@ -12,30 +12,77 @@ pub(super) struct Earlier<'a> {
     pub pose: &'a Pose,
 }
 
-/// Of which results `theirs` comes when they are skinned in `pose`, in words, and how far it is from that by the size:
-/// of one that is `before` or `after` this test, or of all before it one upon the other.
+/// The mistake that gives a mesh, in words the results that it is made with, and by how much the mesh is off from that, by
+/// the size.
+pub(super) type Found = (&'static Mistake, String, f64);
+
+/// Which results give `theirs` in `pose`: those of one that is `before` or `after` this test, or of all before it.
 pub(super) fn find(
     character: &Character,
     pose: &Pose,
     theirs: &Mesh,
     before: &[Earlier<'_>],
     after: &[Earlier<'_>],
-) -> Option<(String, f64)> {
+) -> Option<Found> {
     let alone = before.iter().chain(after).map(std::slice::from_ref);
     let all_before = Some(before).filter(|before| before.len() > 1);
-    let mut left = alone.chain(all_before).filter_map(|tests| {
-        let mut poses = tests.iter().map(|test| test.pose).chain([pose]);
-        let rest = character.bind_mesh().positions.clone();
-        let skinned = poses.try_fold(rest, |places, pose| skinned(character, places, pose));
-        let measured = measure(character, &skinned?, &theirs.positions)?;
-        let names: Vec<&str> = tests.iter().map(|test| test.name).collect();
-        let told = match &names[..] {
-            [name] => format!("that of {name}"),
-            names => format!("that of {} one upon the other", names.join(", ")),
-        };
-        (measured.off == 0).then(|| (told, measured.worst / measured.size))
+    let mut found = alone.chain(all_before).filter_map(|tests| {
+        let kept = Kept { character, tests };
+        let skinned = kept.skinned(pose).map(|places| {
+            let how = format!("that of {}", kept.named(" one upon the other"));
+            (&LAST_RESULT_SKINNED, how, places)
+        });
+        let summed = kept.summed(pose);
+        let begun = places_with(&summed, &character.bind_mesh().positions);
+        let result = format!("the result of {}", kept.named(" together"));
+        let with_rest = format!("from the mesh at rest and {result}");
+        let summed = (&SUM_NOT_RESET, format!("from {result}"), summed);
+        let begun = (&SUM_NOT_RESET, with_rest, begun);
+        let mut ways = skinned.into_iter().chain([summed, begun]);
+        ways.find_map(|(mistake, how, places)| {
+            let measured = measure(character, &places, &theirs.positions)?;
+            (measured.off == 0).then(|| (mistake, how, measured.worst / measured.size))
+        })
     });
-    left.next()
+    found.next()
+}
+
+/// Results of tests that a program has kept.
+struct Kept<'a> {
+    character: &'a Character,
+    tests: &'a [Earlier<'a>],
+}
+
+impl Kept<'_> {
+    /// The names of the tests, followed by `together` if they are several.
+    fn named(&self, together: &str) -> String {
+        let names: Vec<&str> = self.tests.iter().map(|test| test.name).collect();
+        match &names[..] {
+            [name] => (*name).to_owned(),
+            names => names.join(", ") + together,
+        }
+    }
+
+    /// What comes of skinning one result after the other, and the last in `pose`.
+    fn skinned(&self, pose: &Pose) -> Option<Vec<Vec3>> {
+        let mut poses = self.tests.iter().map(|test| test.pose).chain([pose]);
+        let rest = self.character.bind_mesh().positions.clone();
+        poses.try_fold(rest, |places, pose| skinned(self.character, places, pose))
+    }
+
+    /// What comes of adding the result in `pose` to the others.
+    fn summed(&self, pose: &Pose) -> Vec<Vec3> {
+        let others = self.tests.iter().map(|test| test.pose);
+        others.fold(self.character.skin_pose(pose), |sum, pose| {
+            places_with(&sum, &self.character.skin_pose(pose))
+        })
+    }
+}
+
+/// The sums of the places of each vertex.
+fn places_with(places: &[Vec3], others: &[Vec3]) -> Vec<Vec3> {
+    let pairs = places.iter().zip(others);
+    pairs.map(|(place, other)| *place + *other).collect()
 }
 
 /// What the formula makes of vertices at `places` in model space instead of those at rest.

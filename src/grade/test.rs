@@ -6,8 +6,8 @@ use super::last_result::{self, Earlier};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, LAST_RESULT_SKINNED, NoNumbers, OtherPose, POSE_NOT_APPLIED, PictureError, Verdict,
-    diagnose, diagnose_picture, has_silhouette, measure,
+    Diagnosis, NoNumbers, OtherPose, POSE_NOT_APPLIED, PictureError, Verdict, diagnose,
+    diagnose_picture, has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
@@ -314,7 +314,7 @@ impl Test {
         others.find(|test| is_of(test))
     }
 
-    /// `found`, or that results of others of `tests` were skinned instead of the mesh at rest, if that gives `theirs`.
+    /// `found`, or that results of others of `tests` were kept, if that gives `theirs`.
     fn or_of_last_result(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
         let path = &self.data.character.path;
         let of_character = |test: &&Self| test.data.character.path == *path;
@@ -335,7 +335,7 @@ impl Test {
                 .collect::<Vec<_>>()
         });
         match last_result::find(&self.character, &self.pose, theirs, &before, &after) {
-            Some((how, error)) => found.explained_by(&LAST_RESULT_SKINNED, how, error),
+            Some((mistake, how, error)) => found.explained_by(mistake, how, error),
             None => found,
         }
     }

@@ -22,11 +22,21 @@ pub(super) struct FaceReader {
     first_zero: Option<Position>,
 }
 
-/// An index that was past the end when it was read.
+/// An index that was past the end when it was read, or [`NOWHERE`].
 struct Ahead {
     kind: usize,
     index: i64,
     at: Position,
+}
+
+/// The index of 0, which counts from 1.
+const NOWHERE: i64 = -1;
+
+impl Ahead {
+    /// Whether it names nothing in a file that has these many vertices, texture coordinates and normals.
+    fn is_missing(&self, counts: &[usize; 3]) -> bool {
+        self.index == NOWHERE || self.index >= counts[self.kind] as i64
+    }
 }
 
 impl FaceReader {
@@ -147,14 +157,15 @@ impl FaceReader {
             .parse()
             .map_err(|_| wrong("a corner such as 1, 1/2, 1//3 or 1/2/3"))?;
         let index = match number {
+            0 if kind == 0 && self.expected_vertices.is_some() => NOWHERE,
             0 => return Err(wrong(&format!("a {name} counted from 1"))),
             1.. => number - 1,
             _ => count as i64 + number,
         };
-        if index < 0 {
+        if index < 0 && number < 0 {
             return Err(wrong(&format!("one of the {count} {name} lines so far")));
         }
-        if index >= count as i64 {
+        if index == NOWHERE || index >= count as i64 {
             self.ahead.push(Ahead {
                 kind,
                 index,
@@ -171,12 +182,21 @@ impl FaceReader {
     /// At the first corner that names something that does not exist, and if there are no vertices
     /// or no faces.
     pub fn finish(mut self, scanner: &Scanner) -> Result<(Faces, Warnings), Diagnostic> {
-        let mut ahead = self.ahead.iter();
-        let missing = ahead.find(|a| a.index >= self.counts[a.kind] as i64);
-        if let Some(missing) = missing {
-            return Err(self.does_not_exist(scanner, missing));
-        }
         let has_all = self.expected_vertices == Some(self.counts[0]);
+        let mut missing = self.ahead.iter().filter(|a| a.is_missing(&self.counts));
+        if let Some(first) = missing.next() {
+            let wrong = self.does_not_exist(scanner, first);
+            let left_out = self.faces.outside(self.counts[0]);
+            let are_of_faces = first.kind == 0 && missing.all(|a| a.kind == 0);
+            if !has_all || !are_of_faces || left_out == self.faces.count() {
+                return Err(wrong);
+            }
+            // The vertices of the mesh are known to be all: they can be told to be right though faces are wrong.
+            let plural = if left_out == 1 { " is" } else { "s are" };
+            let mut warning = wrong;
+            warning.message += &format!(": {left_out} face{plural} left out");
+            self.warnings.push_with(|| warning);
+        }
         let nothing = match (self.counts[0], self.faces.count()) {
             (0, _) => Some("vertices (lines `v x y z`)"),
             (_, 0) if has_all => None,
@@ -213,6 +233,10 @@ impl FaceReader {
 
     fn does_not_exist(&self, scanner: &Scanner, missing: &Ahead) -> Diagnostic {
         let (count, name) = (self.counts[missing.kind], KINDS[missing.kind]);
+        if missing.index == NOWHERE {
+            let message = format!("expected a {name} counted from 1, found 0");
+            return scanner.error(missing.at, message);
+        }
         let found = missing.index + 1;
         let mut message = if count == 0 {
             format!("expected no {name}, for the file has none, found {found}")

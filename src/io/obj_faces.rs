@@ -120,6 +120,18 @@ impl Faces {
         self.normals.truncate(first);
     }
 
+    /// Whether a face has a corner beyond the first so many positions.
+    fn is_outside(&self, face: usize, positions: usize) -> bool {
+        let mut corners = self.positions[self.corners(face)].iter();
+        corners.any(|&position| position as usize >= positions)
+    }
+
+    /// How many faces have a corner beyond the first so many positions. They are cut into no triangles.
+    pub fn outside(&self, positions: usize) -> usize {
+        let all = 0..self.count;
+        all.filter(|&face| self.is_outside(face, positions)).count()
+    }
+
     /// Cuts some faces into triangles, as [`Faces::cut`] does one.
     pub fn cut_all(
         &self,
@@ -128,7 +140,7 @@ impl Faces {
         cutter: &mut Triangulator,
         mut take: impl FnMut([Corner; 3]),
     ) {
-        for face in faces {
+        for face in faces.filter(|&face| !self.is_outside(face, positions.len())) {
             self.cut(face, positions, cutter, &mut take);
         }
     }

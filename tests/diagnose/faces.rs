@@ -5,7 +5,7 @@ use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, with};
 use editor_core::character::Pose;
 use editor_core::diagnose::{Diagnosis, FaceDifference, Verdict, diagnose};
-use editor_core::io::read_character_obj;
+use editor_core::io::{read_character_obj, read_posed_vertices};
 use editor_core::math::Euler;
 use glam::Vec3;
 use std::path::Path;
@@ -193,4 +193,29 @@ fn of_vertices_that_an_importer_repeats_the_number_of_triangles_tells() {
     cut.triangles.truncate(all - 10);
     let found = diagnose(&figure.character, &figure.pose(), &cut).unwrap();
     assert_eq!(found.faces, difference(all, 10, 0));
+}
+
+#[test]
+fn faces_that_count_from_0_or_from_2_are_one_mistake_though_some_are_by_chance_turned_ones() {
+    for name in ["adult", "dog", "robot"] {
+        let figure = Figure::builtin(name, turned(33));
+        let right = obj(&RIGHT.skin(&figure), &figure, |number| number.to_string());
+        for off in [-1, 1] {
+            let text = with_faces(&right, |faces| {
+                let index = |word: &str| word.parse().map(|index: i64| (index + off).to_string());
+                let shifted = |face: &String| {
+                    let words = face.split(' ').skip(1).map(|word| index(word).unwrap());
+                    format!("f {}", words.collect::<Vec<_>>().join(" "))
+                };
+                faces.iter().map(shifted).collect()
+            });
+            let path = Path::new("mine.obj");
+            let model = figure.character.bind_mesh();
+            let read = read_posed_vertices(path, text.as_bytes(), model).unwrap();
+            assert_eq!(read.warnings.len(), 1, "{name}");
+            let found = diagnose(&figure.character, &figure.pose(), &read.value).unwrap();
+            assert_eq!(found.verdict, Verdict::Triangles, "{name}: {found}");
+            assert_eq!(found.causes, ["triangles-differ"], "{name}: {found}");
+        }
+    }
 }

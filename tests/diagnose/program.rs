@@ -172,6 +172,47 @@ fn json_is_one_object_with_verdict_causes_and_error() {
 }
 
 #[test]
+fn faces_that_name_vertices_that_are_not_there_are_wrong_and_the_vertices_are_looked_at() {
+    let folder = folder();
+    for (name, text) in [
+        ("man.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\nf 3 2 1\n"),
+        (
+            "from0.obj",
+            "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\nf 0 1 2\nf 3 2 1\n",
+        ),
+        (
+            "beyond.obj",
+            "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\nf 2 3 4\nf 3 2 1\n",
+        ),
+        (
+            "none.obj",
+            "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\nf 2 3 4\nf 4 3 2\n",
+        ),
+    ] {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    for (file, told) in [
+        (
+            "from0.obj",
+            "warning: from0.obj:4:3: expected a vertex counted from 1, found 0: 1 face is left out\n",
+        ),
+        (
+            "beyond.obj",
+            "warning: beyond.obj:4:7: expected a vertex from 1 to 3, found 4: 1 face is left out\n",
+        ),
+    ] {
+        let ran = diagnose(folder.path(), file, "man.obj", "bend.json");
+        let is_right = ran.out.starts_with("right but for its triangles: ");
+        assert!(ran.code == Some(1) && is_right, "{}{}", ran.out, ran.err);
+        assert!(ran.err.contains(told), "{}", ran.err);
+    }
+    // Without any that is left, nothing tells the file from one with vertices alone.
+    let ran = diagnose(folder.path(), "none.obj", "man.obj", "bend.json");
+    let told = "none.obj:4:7: expected a vertex from 1 to 3, found 4\n";
+    assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
+}
+
+#[test]
 fn single_vertices_that_are_no_numbers_are_wrong_and_the_others_are_looked_at() {
     let folder = folder();
     let text = "v 1 1 0\nv 0.25 -nan(ind) 0\nv -2 1 0\nf 1 2 3\n";

@@ -169,6 +169,50 @@ fn results_that_are_skinned_instead_of_the_mesh_at_rest_are_named_with_their_tes
 }
 
 #[test]
+fn sums_that_go_on_from_test_to_test_are_named_with_their_tests() {
+    let class = Class::new(&["robot", "robot", "robot"]);
+    let right = with(&[]);
+    class.submit("ann", &right, |number| number.to_string());
+    class.submit("bob", &right, |number| number.to_string());
+    let mut sums = [
+        vec![Vec3::ZERO; class.tests[0].1.positions.len()],
+        class.tests[0].1.positions.clone(),
+    ];
+    for (test, figure) in &class.tests {
+        for (sum, name) in sums.iter_mut().zip(["ann", "bob"]) {
+            for (sum, place) in sum.iter_mut().zip(right.skin(figure)) {
+                *sum += place;
+            }
+            let text = obj(sum, figure, |number| number.to_string());
+            class.write(&format!("class/{name}/{test}.obj"), text);
+        }
+    }
+    let report = class.graded();
+    for (student, test, how) in [
+        ("ann", "robot-2", "from the result of robot-1"),
+        (
+            "ann",
+            "robot-3",
+            "from the result of robot-1, robot-2 together",
+        ),
+        (
+            "bob",
+            "robot-2",
+            "from the mesh at rest and the result of robot-1",
+        ),
+    ] {
+        let found = result(&report, student, test);
+        assert_eq!(found["causes"], json!([["sum-not-reset"]]));
+        let text = found["text"].as_str().unwrap();
+        let told = format!("so that it goes on from what it was ({how})\n");
+        assert!(text.contains(&told), "{text}");
+    }
+    assert_eq!(result(&report, "ann", "robot-1")["outcome"], "right");
+    let first = result(&report, "bob", "robot-1");
+    assert_eq!(first["causes"], json!([["sum-begun-at-rest"]]));
+}
+
+#[test]
 fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     let class = class();
     class.graded();

@@ -101,7 +101,7 @@ fn a_figure_that_would_fill_the_view_is_seen_whole() {
     let mut story = Story::start(&["builtin:dog"]);
     let mut camera = story.session().view().camera;
     // From where the next one is going to stand.
-    camera = camera.facing(Vec3::X, 0.2);
+    camera = camera.facing(Vec3::new(1.0, 0.0, 0.8), 0.2);
     story.program.session_mut().look(View::SetCamera(camera));
     story.settle();
     story.click("Insert");
@@ -115,6 +115,27 @@ fn a_figure_that_would_fill_the_view_is_seen_whole() {
         .camera
         .seen_part(&bounds, view.width() / view.height());
     assert!(seen > 0.7, "{seen}");
+}
+
+#[test]
+fn a_figure_that_is_inserted_while_the_other_is_seen_from_its_side_stands_across_the_view() {
+    for (from, is_along_z) in [(Vec3::X, true), (Vec3::NEG_X, true), (Vec3::Z, false)] {
+        let mut story = Story::start(&["builtin:adult"]);
+        let camera = story.session().view().camera.facing(from, 0.2);
+        story.program.session_mut().look(View::SetCamera(camera));
+        story.settle();
+        story.click("Insert");
+        story.click("Built-in Character");
+        story.click("Dog");
+        let bounds = |at: usize| story.session().evaluated().shapes[at].world_bounds();
+        let (adult, dog) = (bounds(0), bounds(1));
+        let gap = dog.min - adult.max;
+        assert_eq!(
+            (gap.z > 0.0, gap.x > 0.0),
+            (is_along_z, !is_along_z),
+            "{from}"
+        );
+    }
 }
 
 #[test]
@@ -139,7 +160,9 @@ fn a_deep_figure_that_is_imported_beside_another_hides_neither_it_nor_itself() {
     let camera = story.session().view().camera;
     let from_eye = |at: usize| bounds(at).center().distance(camera.eye());
     assert!(from_eye(0) < from_eye(1));
-    let to_eye = (camera.eye() - camera.target).with_y(0.0).normalize();
+    let to_eye = (camera.eye() - camera.target)
+        .with_y(0.0)
+        .normalize_or_zero();
     assert!((0.4..0.9).contains(&to_eye.dot(front)), "{to_eye}");
     // From the front one stands beside the other.
     story

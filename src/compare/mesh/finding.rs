@@ -103,6 +103,8 @@ pub(super) fn length(of: f64) -> String {
     rounded.to_string()
 }
 
+/// How far from one a factor is none in words: rounding gives as much.
+const NO_SCALE: f64 = 1e-5;
 /// Coordinates up to this round to nothing in words.
 const NOTHING: f64 = 5e-7;
 
@@ -119,7 +121,7 @@ pub(super) fn vector(of: [f64; 3]) -> String {
 
 /// What follows a turn, in words; nothing for a factor of one and no movement.
 fn scaled_and_moved(f: &mut fmt::Formatter<'_>, factor: f64, offset: [f64; 3]) -> fmt::Result {
-    if factor != 1.0 {
+    if (factor - 1.0).abs() > NO_SCALE {
         write!(f, ", and {factor:.6} times as large")?;
     }
     if is_told(offset) {
@@ -156,9 +158,9 @@ impl MeshFinding {
 
     /// What B is, in a few words; `None` for what is no placement of A.
     pub fn brief(&self) -> Option<String> {
-        let sized = |words: String, factor: f64| match factor {
-            1.0 => words,
-            _ => format!("{words}, {} times as large", length(factor)),
+        let sized = |words: String, factor: f64| match (factor - 1.0).abs() > NO_SCALE {
+            false => words,
+            true => format!("{words}, {} times as large", length(factor)),
         };
         Some(match self {
             Self::Offset { by } => {
