@@ -201,6 +201,15 @@ pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
     ],
 };
 
+/// A mistake that gives the same mesh as joints without offsets, in T and in B, whatever the pose: it is named with it.
+pub(super) static VERTEX_WITHOUT_W: Mistake = Mistake {
+    id: "vertex-without-w",
+    meaning: "the fourth coordinate of vertices is 0, so that no offset moves them",
+    section: SSD,
+    look_at: "updateMeshVertices: a vertex is a point, the fourth coordinate of which is 1",
+    readings: &[],
+};
+
 /// A mistake at roots alone.
 pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
     id: "root-angles-missing",
@@ -245,7 +254,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 10] = [
 ];
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 19] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 20] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
@@ -265,4 +274,5 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 19] = [
     &ANGLES_SCALED,
     &ROOT_ANGLES_MISSING,
     &WEIGHT_ROWS_DRIFT,
+    &VERTEX_WITHOUT_W,
 ];

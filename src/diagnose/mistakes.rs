@@ -225,9 +225,15 @@ pub static MISTAKES: &[Mistake] = &[
                 formula.bind_chain = Chain::Own;
             }),
             reading("in T", |formula| formula.chain = Chain::Own),
-            reading("in B", |formula| formula.bind_chain = Chain::Own),
         ],
     },
+    one_way!(
+        "bind-parent-missing",
+        SSD,
+        "B of a joint is its own alone, without those of its parents",
+        "computeBindWorldToJointTransforms: it goes down the joints with a stack, as T does",
+        |formula| formula.bind_chain = Chain::Own
+    ),
     one_way!(
         "parent-order",
         SKELETON,
@@ -300,7 +306,7 @@ pub static MISTAKES: &[Mistake] = &[
         meaning: "joints have no offset from their parents",
         section: SKELETON,
         look_at: "setJointTransform and where the .skel file is read: the fourth column of a joint's \
-                  transform must stay its offset; and where a vertex gets its fourth coordinate, which is 1",
+                  transform must stay its offset",
         readings: &[
             reading("in T and in B", |formula| {
                 formula.joint.offsets = Offsets::None;

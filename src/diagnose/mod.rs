@@ -214,6 +214,10 @@ async fn diagnose_vertices(
         }
         return Ok(found);
     }
+    let without_w: Vec<_> = (explanations.iter())
+        .filter_map(Explanation::without_w)
+        .collect();
+    explanations.extend(without_w);
     if pose.is_bind() {
         // Whatever leaves out weights gives the file's own mesh at rest. The simplest is that it is that.
         explanations.sort_by_key(|explanation| explanation.ids() != [POSE_NOT_APPLIED]);

@@ -2,7 +2,7 @@
 
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
-use super::found_otherwise::{JOINT_LEFT_OUT, OF_WHOLE_PROGRAM};
+use super::found_otherwise::{JOINT_LEFT_OUT, OF_WHOLE_PROGRAM, VERTEX_WITHOUT_W};
 use super::mistakes::{MISTAKES, Mistake, Reading};
 use super::model::Model;
 use super::skin::{Placed, Skinner};
@@ -52,6 +52,20 @@ pub(super) struct Explanation {
 impl Explanation {
     pub(super) fn ids(&self) -> Vec<&'static str> {
         self.made.iter().map(|made| made.mistake.id).collect()
+    }
+
+    /// The same with [`VERTEX_WITHOUT_W`] in the place of the mistake that always gives the same mesh, if that is in it.
+    pub(super) fn without_w(&self) -> Option<Self> {
+        let offsets = Mistake::find("translation-missing")?;
+        let in_both = offsets.readings.first()?;
+        let is_same = |made: &Made| std::ptr::eq(made.reading, in_both);
+        let place = self.made.iter().position(is_same)?;
+        let mut other = self.clone();
+        other.made[place] = Made {
+            mistake: &VERTEX_WITHOUT_W,
+            ..other.made[place]
+        };
+        Some(other)
     }
 
     /// The mistakes in words.

@@ -1,4 +1,4 @@
-//! Mistakes of a whole program that are sought by themselves alone, since they are hardly made beside another one.
+//! Mistakes of a whole program, which are sought by themselves first.
 
 use super::formula::Formula;
 use super::found_otherwise::{ANGLES_SCALED, OF_WHOLE_PROGRAM, SUM_NOT_RESET, WEIGHT_ROWS_DRIFT};

@@ -1,7 +1,7 @@
 use super::among::bounds_of;
 use super::{Edit, Session};
 use crate::math::{Euler, Transform};
-use crate::scene::{NewShape, Scene, Shape, ShapeId};
+use crate::scene::{CharacterDisplay, NewShape, Scene, Shape, ShapeId, ShapeKind};
 use glam::Vec3;
 
 /// What the shapes in a box become.
@@ -124,7 +124,8 @@ fn for_selected_where(session: &Session, edit: Edit, takes_part: impl Fn(ShapeId
     };
     let others = session
         .selected_shapes()
-        .filter(|shape| shape.id != active.id && takes_part(shape.id));
+        .filter(|shape| shape.id != active.id && takes_part(shape.id))
+        .filter(|shape| !matches!(edit, Edit::SetDisplay(..)) || display_of(shape).is_some());
     let same: Option<Vec<Edit>> = others.map(|other| same_of(&edit, active, other)).collect();
     match same {
         Some(same) if !same.is_empty() => {
@@ -147,11 +148,40 @@ fn same_of(edit: &Edit, active: &Shape, other: &Shape) -> Option<Edit> {
         Edit::SetUniformScaling(id, on) => (id, Edit::SetUniformScaling(other.id, on)),
         Edit::SetVisible(id, on) => (id, Edit::SetVisible(other.id, on)),
         Edit::SetLocked(id, on) => (id, Edit::SetLocked(other.id, on)),
+        Edit::SetDisplay(id, to) => {
+            let (from, own) = (display_of(active)?, display_of(other)?);
+            (id, Edit::SetDisplay(other.id, shown_as(from, to, own)))
+        }
         Edit::Delete(id) => (id, Edit::Delete(other.id)),
         Edit::Reset(id) => (id, Edit::Reset(other.id)),
         _ => return None,
     };
     (id == active.id).then_some(same)
+}
+
+fn display_of(shape: &Shape) -> Option<CharacterDisplay> {
+    match &shape.kind {
+        ShapeKind::Character(character) => Some(character.display),
+        _ => None,
+    }
+}
+
+/// `own` with what differs between `from` and `to` as `to` has it.
+fn shown_as(
+    from: CharacterDisplay,
+    to: CharacterDisplay,
+    own: CharacterDisplay,
+) -> CharacterDisplay {
+    fn changed<T: PartialEq>(from: T, to: T, own: T) -> T {
+        if from == to { own } else { to }
+    }
+    CharacterDisplay {
+        mode: changed(from.mode, to.mode, own.mode),
+        joints: changed(from.joints, to.joints, own.joints),
+        bones: changed(from.bones, to.bones, own.bones),
+        point_size: changed(from.point_size, to.point_size, own.point_size),
+        line_width: changed(from.line_width, to.line_width, own.line_width),
+    }
 }
 
 /// `own` changed as `from` was to become `to`.

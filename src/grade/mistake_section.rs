@@ -3,6 +3,7 @@
 use crate::diagnose::Mistake;
 use crate::io::{RIGHT_BUT_FOR_JOINTS, TestData};
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// The section in which posed meshes are made: a file that is nearly right does not show in which section the mistake
 /// is.
@@ -41,6 +42,21 @@ pub(super) fn section_of<'a>(own: &str, test: &'a TestData) -> Option<&'a str> {
         .filter(|section| apart(section).is_some());
     let nearest = numbered.min_by_key(apart).map(String::as_str);
     nearest.or_else(|| largest(test))
+}
+
+/// Sections in which tests have points that no mistake costs, each once.
+pub fn without_mistakes(tests: &[TestData]) -> BTreeSet<String> {
+    let mut without: BTreeSet<String> = BTreeSet::new();
+    for test in tests {
+        without.extend(test.points.keys().cloned());
+    }
+    for test in tests {
+        let hit = Mistake::all().filter_map(|mistake| section_of(mistake.section, test));
+        hit.for_each(|section| {
+            without.remove(section);
+        });
+    }
+    without
 }
 
 /// The section of a test with the most points.

@@ -158,38 +158,8 @@ impl Program {
             // A figure that fills the view is too near, and hides what was there; a room may be all around.
             let is_whole = fronts.next().is_none() || camera.seen_part(&bounds, aspect) >= WHOLE;
             let is_seen = camera.sees(&bounds, aspect) && is_whole;
-            if !is_seen && !bounds.is_empty() {
-                self.fit_due = true;
-                if let Some(camera) = self.turned_aside(&bounds, added) {
-                    self.session.look(View::SetCamera(camera));
-                }
-            }
+            self.fit_due |= !is_seen && !bounds.is_empty();
         }
-    }
-
-    /// The camera turned aside, if what has been `added` hides itself before it, to the side on which it hides nothing
-    /// else.
-    fn turned_aside(&self, bounds: &Aabb, added: &[ShapeId]) -> Option<Camera> {
-        let camera = self.session.view().camera;
-        let to_eye = (camera.eye() - camera.target)
-            .with_y(0.0)
-            .normalize_or_zero();
-        if to_eye == Vec3::ZERO || !is_deep(bounds, to_eye) {
-            return None;
-        }
-        let shapes = self.session.evaluated().shapes.iter();
-        let others = shapes.filter(|shape| shape.visible && !added.contains(&shape.id));
-        let others = others.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
-        let sides = [-ASIDE, ASIDE].map(|angle| Quat::from_rotation_y(angle) * to_eye);
-        let from_others = match others.is_empty() {
-            true => Vec3::ZERO,
-            false => bounds.center() - others.center(),
-        };
-        let nearest = |side: &Vec3| side.dot(from_others);
-        let side = sides
-            .into_iter()
-            .min_by(|a, b| nearest(a).total_cmp(&nearest(b)))?;
-        Some(camera.facing(side, camera.phi))
     }
 
     /// Fits everything into the picture, once its size is known, unless it is seen well in a view of

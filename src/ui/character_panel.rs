@@ -5,7 +5,7 @@ use super::number_field::NumberField;
 use super::state::UiState;
 use super::widgets::{choice, labelled, named, section};
 use super::{Action, Ask, CompareMeshAction};
-use crate::editor::{Edit, Session};
+use crate::editor::{Edit, Session, for_all_selected};
 use crate::scene::{
     BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, ModelDisplay,
     ShapeId, SkinningMethod,
@@ -19,6 +19,7 @@ const LINE_WIDTHS: std::ops::RangeInclusive<f64> = 1.0..=32.0;
 /// How a character is drawn: mesh, skeleton or both, and its joints and bones.
 pub(super) fn display(
     ui: &mut Ui,
+    session: &Session,
     id: ShapeId,
     display: CharacterDisplay,
     actions: &mut Vec<Action>,
@@ -46,7 +47,8 @@ pub(super) fn display(
         skeleton(ui, display, &mut changed);
     }
     if changed != display {
-        actions.push(Action::Edit(Edit::SetDisplay(id, changed)));
+        let edit = Edit::SetDisplay(id, changed);
+        actions.push(Action::Edit(for_all_selected(session, edit)));
     }
 }
 

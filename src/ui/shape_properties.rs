@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, state: &mut UiState, actions:
         properties(ui, session, shape, state, actions);
         if let ShapeKind::Character(character) = &shape.kind {
             ui.separator();
-            character_panel::display(ui, shape.id, character.display, actions);
+            character_panel::display(ui, session, shape.id, character.display, actions);
             ui.separator();
             character_panel::skinning(ui, shape.id, character, session, state, actions);
             ui.separator();

@@ -282,7 +282,9 @@ pub const WRONG: &[Wrong] = &[
         s.push_bind = |_, own| own;
     }),
     wrong("parent-missing", "stack", |s| s.push = |_, own| own),
-    wrong("parent-missing", "stack", |s| s.push_bind = |_, own| own),
+    wrong("bind-parent-missing", "stack", |s| {
+        s.push_bind = |_, own| own
+    }),
     wrong("parent-order", "stack", |s| {
         s.push = |parent, own| own * parent;
         s.push_bind = |parent, own| own * parent;

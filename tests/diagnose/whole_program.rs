@@ -245,7 +245,15 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     let how = "in T and in B, but roots have theirs";
     assert_named(&found, "translation-missing", how);
     let found = figure.diagnose(&written(&with(&["translation-missing"]).skin(&figure), 6));
-    assert_named(&found, "translation-missing", "in T and in B");
+    assert_eq!(found.mistakes[0].how, "in T and in B", "{found}");
+    assert_eq!(found.causes, ["translation-missing", "vertex-without-w"]);
+    // As a student makes the other one, who gets the same mesh by it.
+    let without_w = Student {
+        moved: |matrix, vertex| matrix.transform_vector3(vertex),
+        ..RIGHT
+    };
+    let same = figure.diagnose(&written(&without_w.skin(&figure), 6));
+    assert_eq!(same.causes, found.causes, "{same}");
 }
 
 #[test]

@@ -530,8 +530,22 @@ fn a_section_of_a_test_that_is_misspelled_is_told() {
     let warning = "warning: tests.json: tests have points for 3,4, which is a section of its own beside 3.4\n";
     assert_eq!(ran.code, Some(0));
     assert!(ran.err.contains(warning), "{}", ran.err);
+    assert!(!ran.err.contains("beside 4.2"), "{}", ran.err);
+}
+
+#[test]
+fn a_section_that_no_mistake_belongs_to_is_told() {
+    let class = Class::new(&["robot"]);
+    class.submit("eve", &with(&[]), |number| number.to_string());
+    let mut tests = class.tests_file();
+    tests["tests"][0]["points"] = json!({"3.1": 4, "3.2": 4, "3.4": 6, "4.2": 10});
+    class.set_tests(&tests);
+    let ran = class.run("class --tests tests.json -o report");
+    let warning = "warning: tests.json: no mistake costs points of 3.1, which are lost only with all others of a test\n";
+    assert_eq!(ran.code, Some(0));
+    assert!(ran.err.contains(warning), "{}", ran.err);
     assert_eq!(
-        ran.err.matches("warning: tests.json").count(),
+        ran.err.matches("no mistake costs").count(),
         1,
         "{}",
         ran.err

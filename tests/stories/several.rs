@@ -3,7 +3,7 @@
 use super::{Story, differing};
 use crate::host::MemoryHost;
 use editor_core::editor::{Severity, View};
-use editor_core::scene::ShapeId;
+use editor_core::scene::{ModelDisplay, ShapeId};
 use editor_core::ui::Action;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use glam::Vec3;
@@ -121,6 +121,42 @@ fn what_is_selected_is_moved_turned_scaled_colored_hidden_and_deleted_together()
     story.key_with(CTRL, Key::Z);
     assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"]);
     assert_eq!(selected(&story), ["Sphere", "Pyramid"], "as before");
+}
+
+#[test]
+fn all_characters_that_are_selected_show_their_skeletons_and_each_keeps_how_it_draws_them() {
+    let mut story = Story::start(&["builtin:robot", "builtin:gem", "builtin:dog"]);
+    let displays = |story: &Story| {
+        let ids = story
+            .session()
+            .scene()
+            .shapes()
+            .iter()
+            .map(|shape| shape.id);
+        let characters = ids.filter_map(|id| story.session().scene().character(id));
+        let displays: Vec<_> = characters.map(|character| character.display).collect();
+        displays
+    };
+    story.click("Skeletal Model");
+    story.click("Points");
+    let points = displays(&story)[1].joints;
+    story.click("Mesh Model");
+    let before = displays(&story);
+    assert_ne!(before[0].joints, points);
+    story.key_with(CTRL, Key::A);
+    story.click("Both");
+    let after = displays(&story);
+    assert!(
+        after
+            .iter()
+            .all(|display| display.mode == ModelDisplay::Both)
+    );
+    assert_eq!(
+        [after[0].joints, after[1].joints],
+        [before[0].joints, points]
+    );
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(displays(&story), before, "in one step");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What is likely to be wrong in a file of tests, though it can be graded by.
 
 use super::submissions::Submission;
+use crate::grade::without_mistakes;
 use crate::io::TestsFile;
 use std::collections::BTreeSet;
 
@@ -9,6 +10,12 @@ pub(super) fn of(file: &TestsFile, submissions: &[Submission]) -> Vec<String> {
     let mut told = given_to_none(file, submissions);
     told.extend(empty_sections(file));
     told.extend(misspelled_sections(file));
+    let untouched = without_mistakes(&file.tests).into_iter();
+    told.extend(untouched.map(|section| {
+        format!(
+            "no mistake costs points of {section}, which are lost only with all others of a test"
+        )
+    }));
     told
 }
 

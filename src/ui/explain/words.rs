@@ -334,7 +334,7 @@ mod tests {
             of_joint("sign-flipped-z", 0),
             "T = T(parent) · Offset · Rx · Ry · Rz(-z)"
         );
-        assert_eq!(spoken("parent-missing", 2)[2], "B = Offset");
+        assert_eq!(spoken("bind-parent-missing", 0)[2], "B = Offset");
         assert_eq!(
             spoken("matrix-transposed", 1)[0],
             "v' = 1/v₄ · Σ w · B⁻ᵀ · Tᵀ · v"
