@@ -185,8 +185,11 @@ fn remove_abandoned(folder: &Path) {
         let is_temporary = name.starts_with(PREFIX.as_bytes()) && name.ends_with(SUFFIX.as_bytes());
         // Opening a pipe waits, and a link leads to someone else's file.
         if is_temporary && entry.file_type().is_ok_and(|kind| kind.is_file()) {
-            let file = File::options().write(true).open(entry.path());
-            if file.is_ok_and(|file| file.try_lock().is_ok()) {
+            let Ok(file) = File::options().write(true).open(entry.path()) else {
+                continue;
+            };
+            // Locked until it is gone: who has just made it waits for the lock, and then sees that it is.
+            if file.try_lock().is_ok() {
                 // What cannot be removed stays; that keeps nobody from writing.
                 let _ = std::fs::remove_file(entry.path());
             }
@@ -198,6 +201,26 @@ fn remove_abandoned(folder: &Path) {
 mod tests {
     use super::*;
     use std::fs;
+
+    #[test]
+    fn many_that_write_into_one_folder_at_once_take_no_file_of_another_for_abandoned() {
+        let folder = tempfile::tempdir().unwrap();
+        std::thread::scope(|threads| {
+            for writer in 0..8 {
+                let path = folder.path().join(format!("{writer}.json"));
+                threads.spawn(move || {
+                    for round in 0..40 {
+                        let bytes = format!("{writer} {round}");
+                        staged(&path, bytes.as_bytes())
+                            .and_then(Staged::put_in_place)
+                            .unwrap();
+                    }
+                });
+            }
+        });
+        let left = fs::read_dir(folder.path()).unwrap();
+        assert_eq!(left.count(), 8);
+    }
 
     #[test]
     fn what_an_ended_process_left_behind_goes_with_the_next_file_and_nothing_else_does() {
