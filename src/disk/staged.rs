@@ -203,26 +203,6 @@ mod tests {
     use std::fs;
 
     #[test]
-    fn many_that_write_into_one_folder_at_once_take_no_file_of_another_for_abandoned() {
-        let folder = tempfile::tempdir().unwrap();
-        std::thread::scope(|threads| {
-            for writer in 0..8 {
-                let path = folder.path().join(format!("{writer}.json"));
-                threads.spawn(move || {
-                    for round in 0..40 {
-                        let bytes = format!("{writer} {round}");
-                        staged(&path, bytes.as_bytes())
-                            .and_then(Staged::put_in_place)
-                            .unwrap();
-                    }
-                });
-            }
-        });
-        let left = fs::read_dir(folder.path()).unwrap();
-        assert_eq!(left.count(), 8);
-    }
-
-    #[test]
     fn what_an_ended_process_left_behind_goes_with_the_next_file_and_nothing_else_does() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);

@@ -307,7 +307,8 @@ struct Stander {
     is_figure: bool,
 }
 
-/// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none of those that are there.
+/// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none
+/// of those that are there.
 fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
     let gap = GAP * bounds.size().dot(along);
     let after = |other: &Stander| (other.bounds.max - bounds.min).dot(along) + gap;

@@ -129,6 +129,24 @@ fn submissions_are_in_the_order_in_which_people_count_in_joined_reports_too() {
 }
 
 #[test]
+fn jobs_that_write_into_one_folder_at_once_take_no_file_of_another_for_abandoned() {
+    let folder = tempfile::tempdir().unwrap();
+    std::thread::scope(|threads| {
+        for writer in 0..8 {
+            let path = folder.path().join(format!("{writer}.json"));
+            threads.spawn(move || {
+                for round in 0..40 {
+                    let bytes = format!("{writer} {round}");
+                    editor_core::disk::write_whole(&path, bytes.as_bytes()).unwrap();
+                }
+            });
+        }
+    });
+    let left = std::fs::read_dir(folder.path()).unwrap();
+    assert_eq!(left.count(), 8);
+}
+
+#[test]
 fn reports_are_the_same_whatever_the_number_of_jobs() {
     let class = class();
     run(&class, "class --tests tests.json -o one --jobs 1");
