@@ -91,8 +91,9 @@ impl JointBone {
 }
 
 /// Bones of a character, ordered by joint: if the file gives the length of a joint's bone, that
-/// one, or at a joint without children one that can be grabbed; otherwise one to each child that is not at the same place; and for a joint without children
-/// one as far as the vertices reach that it dominates.
+/// one, or at a joint without children one that can be grabbed; otherwise one to each child that is
+/// not at the same place; and for a joint without children one as far as the vertices reach that it
+/// dominates.
 pub(super) fn bones(
     skeleton: &SkeletalModel,
     attachments: &Attachments,

@@ -9,7 +9,9 @@ use crate::diagnose::{
     Diagnosis, NoNumbers, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
 };
 use crate::disk::{as_given, files};
-use crate::io::{Diagnostic, Files, Imported, PoseFile, import_character, read_posed_vertices};
+use crate::io::{
+    Diagnostic, Files, Imported, PoseFile, import_character, in_utf8, read_posed_vertices,
+};
 use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
@@ -141,7 +143,7 @@ fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     let files = files();
     let bytes = files.read(&args.theirs)?;
     let characters = characters(&files, &args.character)?;
-    let no_numbers = NoNumbers::find(&bytes).filter(|found| !found.are_all());
+    let no_numbers = NoNumbers::find(&in_utf8(&bytes)).filter(|found| !found.are_all());
     let readable = no_numbers.as_ref().map_or(&bytes, |found| &found.without);
     let as_of = |character: &Arc<Character>| {
         read_posed_vertices(&args.theirs, readable, character.bind_mesh())

@@ -208,7 +208,7 @@ impl Diagnosis {
     }
 
     /// The same, where `mistake`, made in the way `how`, gives the mesh but for `error`, by the size.
-    pub fn explained_by(&self, mistake: &'static Mistake, how: String, error: f64) -> Self {
+    pub fn explained_by(self, mistake: &'static Mistake, how: String, error: f64) -> Self {
         let told = ToldMistake {
             how: how.into(),
             ..ToldMistake::whole(mistake)
@@ -222,7 +222,7 @@ impl Diagnosis {
             other_pose: None,
             nearest: None,
             findings: Vec::new(),
-            ..self.clone()
+            ..self
         }
     }
 

@@ -88,10 +88,11 @@ pub enum AnglesOf {
 }
 
 impl AnglesOf {
-    /// The joint whose angles that at the index `joint` is given, if there are so many; `None` before the first.
-    pub(super) fn joint(self, joint: usize) -> Option<usize> {
+    /// The joint whose angles that at the index `joint` is given, if there are so many; `None` if none's.
+    pub(super) fn joint(self, joint: usize, is_root: bool) -> Option<usize> {
         match self {
-            Self::Itself | Self::ItselfButRoots => Some(joint),
+            Self::Itself => Some(joint),
+            Self::ItselfButRoots => (!is_root).then_some(joint),
             Self::Before => joint.checked_sub(1),
             Self::After => Some(joint + 1),
         }

@@ -1,10 +1,9 @@
-//! Mistakes that are sought where none of those of [`super::mistakes`] gives the mesh, and hardly made beside another one:
-//! of a whole program, in the weights of one joint or two, and, last, since one joint can be off in so many ways, in one
+//! Mistakes that are sought by themselves where none of those of [`super::mistakes`] gives the mesh: of a whole program, in the weights of one joint or two, and, last, since one joint can be off in so many ways, in one
 //! line of the skeleton.
 
 use super::formula::{Columns, Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
-use super::mistakes::{Mistake, Reading};
+use super::mistakes::Mistake;
 use super::search::{Explanation, Made, Search};
 use super::skin::{Placed, Skinner};
 use super::{one_joint, whole_program};
@@ -13,12 +12,6 @@ use std::collections::BTreeSet;
 
 /// Joints of the largest skeletons of which every two are tried.
 const MOST_JOINTS: usize = 256;
-
-/// The way to make a mistake that is told in words of its own.
-pub(super) static BY_NUMBERS: Reading = Reading {
-    how: "",
-    make: |_| {},
-};
 
 /// The mistakes that give the mesh of `search`, of this size, which has its vertices in `order` and is held against
 /// `exact`. Where numbers are worked out from the mesh, it has to agree with it as in `fits`.
@@ -151,8 +144,7 @@ impl<'a> MadeAlone<'a> {
         mistake: &'static Mistake,
         pace: &Pace,
     ) -> Option<Explanation> {
-        let reading = &BY_NUMBERS;
-        self.made_by(formula, Made { mistake, reading }, pace).await
+        self.made_by(formula, Made::by_numbers(mistake), pace).await
     }
 
     /// The explanation `made` of the mesh, if the formula gives it.

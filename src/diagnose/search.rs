@@ -3,7 +3,7 @@
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, OF_WHOLE_PROGRAM, VERTEX_WITHOUT_W};
-use super::mistakes::{MISTAKES, Mistake, Reading};
+use super::mistakes::{MISTAKES, Mistake, Reading, reading};
 use super::model::Model;
 use super::skin::{Placed, Skinner};
 use crate::character::Pose;
@@ -39,6 +39,19 @@ pub(super) struct Made {
     pub(super) reading: &'static Reading,
 }
 
+/// The way to make a mistake that is told in words of its own.
+static BY_NUMBERS: Reading = reading("", |_| {});
+
+impl Made {
+    /// A mistake with numbers from the mesh, which no reading makes.
+    pub(super) fn by_numbers(mistake: &'static Mistake) -> Self {
+        Self {
+            mistake,
+            reading: &BY_NUMBERS,
+        }
+    }
+}
+
 /// Mistakes that together give a mesh or a silhouette.
 #[derive(Clone, Debug)]
 pub(super) struct Explanation {
@@ -61,10 +74,7 @@ impl Explanation {
         let is_same = |made: &Made| std::ptr::eq(made.reading, in_both);
         let place = self.made.iter().position(is_same)?;
         let mut other = self.clone();
-        other.made[place] = Made {
-            mistake: &VERTEX_WITHOUT_W,
-            ..other.made[place]
-        };
+        other.made[place] = Made::by_numbers(&VERTEX_WITHOUT_W);
         Some(other)
     }
 

@@ -2,8 +2,8 @@
 
 use super::choices::choices;
 use super::formula::{
-    AngleUnits, AnglesOf, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept,
-    OtherJoint, Rescaled, Rows, WeightFormula,
+    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept, OtherJoint,
+    Rescaled, Rows, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -235,7 +235,7 @@ impl Joints {
         let is_root = |joint: usize| model.skeleton().joints()[joint].parent.is_none();
         let own = &formula.joint;
         let angles_of = |joint: usize| {
-            let of = own.angles_of.joint(angles_of[joint]);
+            let of = own.angles_of.joint(angles_of[joint], is_root(joint));
             let of = of.filter(|of| *of < angles_of.len());
             of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
         };
@@ -244,12 +244,7 @@ impl Joints {
             let mut angles = DVec3::ZERO;
             let mut moved = DVec3::ZERO;
             if own.has_pose {
-                let is_left_out = own.angles_of == AnglesOf::ItselfButRoots && is_root(joint);
-                angles = if is_left_out {
-                    DVec3::ZERO
-                } else {
-                    angles_of(joint)
-                };
+                angles = angles_of(joint);
                 moved = pose.root_offset(joint).as_dvec3();
             }
             let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;

@@ -1,8 +1,7 @@
 //! Mistakes of a whole program, which are sought by themselves first.
 
-use super::formula::Formula;
 use super::found_otherwise::{ANGLES_SCALED, OF_WHOLE_PROGRAM, SUM_NOT_RESET, WEIGHT_ROWS_DRIFT};
-use super::made_alone::{BY_NUMBERS, MadeAlone};
+use super::made_alone::MadeAlone;
 use super::model::Model;
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
@@ -66,8 +65,7 @@ async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation>
         formula
     };
     let placed = |factor: f64| {
-        let formula: Formula = formula(factor);
-        let mut skinner = Skinner::new(search.model, search.pose, &formula);
+        let mut skinner = Skinner::new(search.model, search.pose, &formula(factor));
         let sample = search.sample.iter();
         let placed: Vec<DVec3> = sample.map(|&vertex| skinner.place(vertex).at).collect();
         placed
@@ -117,12 +115,8 @@ async fn sum_not_reset(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation
             pace.after(AT_ONCE).await;
         }
     }
-    let made = Made {
-        mistake: &SUM_NOT_RESET,
-        reading: &BY_NUMBERS,
-    };
     Some(Explanation {
-        made: vec![made],
+        made: vec![Made::by_numbers(&SUM_NOT_RESET)],
         error,
         how: Some("from vertex to vertex".to_owned()),
     })
@@ -130,17 +124,14 @@ async fn sum_not_reset(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation
 
 /// That the numbers of the weights are read as rows of one number more than they are.
 async fn drifting_rows(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
-    let character = alone.search.model.character;
-    let drifting = drifting(character).filter(|_| !alone.has_many_joints())?;
+    if alone.has_many_joints() {
+        return None;
+    }
+    let drifting = drifting(alone.search.model.character)?;
     let model = Model::new(&drifting);
     let mut skinner = Skinner::new(&model, alone.search.pose, &alone.formula());
-    let made = Made {
-        mistake: &WEIGHT_ROWS_DRIFT,
-        reading: &BY_NUMBERS,
-    };
-    (alone.search)
-        .explained_by(&mut skinner, vec![made], pace)
-        .await
+    let made = vec![Made::by_numbers(&WEIGHT_ROWS_DRIFT)];
+    (alone.search).explained_by(&mut skinner, made, pace).await
 }
 
 /// The character with the weights that come of it: the rows, which have none for the root, one after the other are cut

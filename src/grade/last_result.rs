@@ -6,33 +6,36 @@ use crate::diagnose::{LAST_RESULT_SKINNED, Mistake, SUM_NOT_RESET, measure};
 use crate::geometry::Mesh;
 use glam::Vec3;
 
-/// Another test of the same character, the result of which a program may have kept.
-pub(super) struct Earlier<'a> {
+/// A test of the character, the result of which a program may have kept.
+pub(super) struct Posed<'a> {
     pub name: &'a str,
     pub pose: &'a Pose,
+    /// Its exact vertices, in model space.
+    pub exact: &'a [Vec3],
 }
 
 /// The mistake that gives a mesh, in words the results that it is made with, and by how much the mesh is off from that, by
 /// the size.
 pub(super) type Found = (&'static Mistake, String, f64);
 
-/// Which results give `theirs` in `pose`: those of one that is `before` or `after` this test, or of all before it.
+/// Which results give `theirs` in the pose of the test `own`: those of one that is `before` or `after` it, or of all
+/// before it.
 pub(super) fn find(
     character: &Character,
-    pose: &Pose,
+    own: &Posed<'_>,
     theirs: &Mesh,
-    before: &[Earlier<'_>],
-    after: &[Earlier<'_>],
+    before: &[Posed<'_>],
+    after: &[Posed<'_>],
 ) -> Option<Found> {
     let alone = before.iter().chain(after).map(std::slice::from_ref);
     let all_before = Some(before).filter(|before| before.len() > 1);
     let mut found = alone.chain(all_before).filter_map(|tests| {
         let kept = Kept { character, tests };
-        let skinned = kept.skinned(pose).map(|places| {
+        let skinned = kept.skinned(own.pose).map(|places| {
             let how = format!("that of {}", kept.named(" one upon the other"));
             (&LAST_RESULT_SKINNED, how, places)
         });
-        let summed = kept.summed(pose);
+        let summed = kept.summed(own.exact);
         let begun = places_with(&summed, &character.bind_mesh().positions);
         let result = format!("the result of {}", kept.named(" together"));
         let with_rest = format!("from the mesh at rest and {result}");
@@ -50,7 +53,7 @@ pub(super) fn find(
 /// Results of tests that a program has kept.
 struct Kept<'a> {
     character: &'a Character,
-    tests: &'a [Earlier<'a>],
+    tests: &'a [Posed<'a>],
 }
 
 impl Kept<'_> {
@@ -65,17 +68,17 @@ impl Kept<'_> {
 
     /// What comes of skinning one result after the other, and the last in `pose`.
     fn skinned(&self, pose: &Pose) -> Option<Vec<Vec3>> {
-        let mut poses = self.tests.iter().map(|test| test.pose).chain([pose]);
-        let rest = self.character.bind_mesh().positions.clone();
-        poses.try_fold(rest, |places, pose| skinned(self.character, places, pose))
+        let (first, others) = self.tests.split_first()?;
+        let mut poses = others.iter().map(|test| test.pose).chain([pose]);
+        poses.try_fold(first.exact.to_vec(), |places, pose| {
+            skinned(self.character, places, pose)
+        })
     }
 
-    /// What comes of adding the result in `pose` to the others.
-    fn summed(&self, pose: &Pose) -> Vec<Vec3> {
-        let others = self.tests.iter().map(|test| test.pose);
-        others.fold(self.character.skin_pose(pose), |sum, pose| {
-            places_with(&sum, &self.character.skin_pose(pose))
-        })
+    /// What comes of adding the result `exact` to the others.
+    fn summed(&self, exact: &[Vec3]) -> Vec<Vec3> {
+        let others = self.tests.iter().map(|test| test.exact);
+        others.fold(exact.to_vec(), |sum, other| places_with(&sum, other))
     }
 }
 

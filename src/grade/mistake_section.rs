@@ -46,17 +46,20 @@ pub(super) fn section_of<'a>(own: &str, test: &'a TestData) -> Option<&'a str> {
 
 /// Sections in which tests have points that no mistake costs, each once.
 pub fn without_mistakes(tests: &[TestData]) -> BTreeSet<String> {
-    let mut without: BTreeSet<String> = BTreeSet::new();
-    for test in tests {
-        without.extend(test.points.keys().cloned());
-    }
-    for test in tests {
-        let hit = Mistake::all().filter_map(|mistake| section_of(mistake.section, test));
-        hit.for_each(|section| {
-            without.remove(section);
-        });
-    }
-    without
+    let cost: BTreeSet<&str> = tests
+        .iter()
+        .flat_map(|test| {
+            Mistake::all().filter_map(move |mistake| section_of(mistake.section, test))
+        })
+        .collect();
+    let all = tests.iter().flat_map(|test| test.points.keys());
+    let without = all.filter(|section| !cost.contains(section.as_str()));
+    without.cloned().collect()
+}
+
+/// Whether a section has a number such as `4.2`.
+pub fn is_numbered(section: &str) -> bool {
+    parts_of(section).is_some()
 }
 
 /// The section of a test with the most points.

@@ -21,7 +21,7 @@ mod thumbnail;
 mod why;
 
 pub use graded::{Graded, Outcome};
-pub use mistake_section::without_mistakes;
+pub use mistake_section::{is_numbered, without_mistakes};
 pub use name::Name;
 pub use report::{GradedTest, MistakeGroup, Report, Row, Submission};
 pub use section::Section;

@@ -2,7 +2,7 @@
 
 use super::found::{explanations, hint, nearly, outcome};
 use super::graded::{Graded, Outcome, rounded};
-use super::last_result::{self, Earlier};
+use super::last_result::{self, Posed};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
@@ -314,6 +314,14 @@ impl Test {
         others.find(|test| is_of(test))
     }
 
+    fn posed(&self) -> Posed<'_> {
+        Posed {
+            name: &self.data.name,
+            pose: &self.pose,
+            exact: &self.exact,
+        }
+    }
+
     /// `found`, or that results of others of `tests` were kept, if that gives `theirs`.
     fn or_of_last_result(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
         let path = &self.data.character.path;
@@ -327,14 +335,10 @@ impl Test {
         };
         let [before, after] = [before, after].map(|tests| {
             let tests = tests.iter().filter(of_character);
-            tests
-                .map(|test| Earlier {
-                    name: &test.data.name,
-                    pose: &test.pose,
-                })
-                .collect::<Vec<_>>()
+            tests.map(Self::posed).collect::<Vec<_>>()
         });
-        match last_result::find(&self.character, &self.pose, theirs, &before, &after) {
+        let own = self.posed();
+        match last_result::find(&self.character, &own, theirs, &before, &after) {
             Some((mistake, how, error)) => found.explained_by(mistake, how, error),
             None => found,
         }

@@ -1,7 +1,7 @@
 //! Skeletons of which one line is read wrong: a joint that hangs on a wrong parent, or has a wrong offset.
 
 use crate::diagnose::figures::{Figure, turned, written};
-use crate::diagnose::student::{RIGHT, Student, with};
+use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
 use editor_core::diagnose::Verdict;
 use glam::{EulerRot, Quat, Vec3};
 use proptest::prelude::*;
@@ -264,10 +264,7 @@ fn a_sum_that_begins_with_the_vertex_and_one_without_a_joint_are_named() {
     let found = figure.diagnose(&written(&begun, 6));
     assert_eq!(found.causes, ["sum-begun-at-rest"], "{found}");
     let without_last = Student {
-        weights: |mut weights| {
-            weights.retain(|(joint, _)| *joint != 17);
-            weights
-        },
+        weights: without_last_joint,
         ..RIGHT
     };
     let found = figure.diagnose(&written(&without_last.skin(&figure), 6));

@@ -144,6 +144,12 @@ fn sum(weights: &[(usize, f32)]) -> f32 {
     weights.iter().map(|(_, weight)| weight).sum()
 }
 
+/// Weights without those of the adult's last joint, the left elbow.
+pub fn without_last_joint(mut weights: Weights) -> Weights {
+    weights.retain(|(joint, _)| *joint != 17);
+    weights
+}
+
 fn normalized(weights: Weights) -> Weights {
     let sum = sum(&weights);
     weights

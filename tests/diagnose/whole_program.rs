@@ -1,7 +1,7 @@
 //! Mistakes of a whole program that are sought by themselves alone.
 
 use crate::diagnose::figures::{Figure, turned, written};
-use crate::diagnose::student::{RIGHT, Student, with};
+use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
 use editor_core::diagnose::{Diagnosis, Verdict};
 use glam::{Mat4, Vec3};
 
@@ -178,10 +178,7 @@ fn a_mistake_of_the_whole_program_is_named_beside_a_common_one() {
     causes.sort_unstable();
     assert_eq!(causes, ["euler-zyx", "sum-begun-at-rest"], "{found}");
     let last_left_out = Student {
-        weights: |mut weights| {
-            weights.retain(|(joint, _)| *joint != 17);
-            weights
-        },
+        weights: without_last_joint,
         ..zyx
     };
     let found = figure.diagnose(&written(&last_left_out.skin(&figure), 6));

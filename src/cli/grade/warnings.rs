@@ -1,7 +1,7 @@
 //! What is likely to be wrong in a file of tests, though it can be graded by.
 
 use super::submissions::Submission;
-use crate::grade::without_mistakes;
+use crate::grade::{is_numbered, without_mistakes};
 use crate::io::TestsFile;
 use std::collections::BTreeSet;
 
@@ -75,13 +75,7 @@ fn misspelled_sections(file: &TestsFile) -> Vec<String> {
         .collect();
     let of_rubric = file.rubric.sections.keys();
     let all: BTreeSet<&String> = of_tests.iter().copied().chain(of_rubric).collect();
-    let is_number = |section: &str| {
-        let parts = section.split_once('.');
-        parts.is_some_and(|(chapter, part)| {
-            chapter.parse::<u32>().is_ok() && part.parse::<u32>().is_ok()
-        })
-    };
-    let without_number = of_tests.into_iter().filter(|section| !is_number(section));
+    let without_number = of_tests.into_iter().filter(|section| !is_numbered(section));
     let alike = without_number.filter_map(|section| {
         let mut others = all.iter();
         let other = others.find(|other| strsim::levenshtein(other, section) == 1)?;

@@ -1,0 +1,187 @@
+//! What is found out about a mesh, held against the exact one.
+
+use super::as_good;
+use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, Verdict, all_causes};
+use super::faces::FaceDifference;
+use super::formula::VertexOrder;
+use super::mistakes::{IN_ANY_ORDER, Mistake};
+use super::model::Model;
+use super::regions::regions;
+use super::search::{Explanation, Made};
+use super::skin::Placed;
+use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};
+use crate::geometry::Mesh;
+use glam::{DVec3, Vec3};
+
+/// Part of the largest error from which on much is off.
+const MUCH: f64 = 0.25;
+
+/// A mesh beside the exact one.
+pub(super) struct Findings<'a> {
+    pub(super) model: &'a Model<'a>,
+    pub(super) order: VertexOrder,
+    pub(super) theirs: &'a [DVec3],
+    pub(super) exact: &'a [Placed],
+    pub(super) distances: &'a [f64],
+    pub(super) size: f64,
+    pub(super) tolerance: f64,
+}
+
+impl Findings<'_> {
+    /// The largest distance.
+    pub(super) fn error(&self) -> f64 {
+        self.distances.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// A diagnosis without causes.
+    pub(super) fn diagnosis(&self, verdict: Verdict) -> Diagnosis {
+        let error = self.error() / self.size;
+        let all = 0..self.distances.len();
+        let off = all.filter(|&index| self.is_off(index)).count();
+        Diagnosis {
+            verdict,
+            causes: Vec::new(),
+            error,
+            error_from_exact: error,
+            tolerance: self.tolerance / self.size,
+            mistakes: Vec::new(),
+            same_as: Vec::new(),
+            unseen: Vec::new(),
+            first: self.first().filter(|_| verdict != Verdict::Right),
+            faces: FaceDifference::default(),
+            off,
+            agrees: 1.0 - off as f64 / self.distances.len().max(1) as f64,
+            regions: Vec::new(),
+            other_pose: None,
+            nearest: None,
+            findings: Vec::new(),
+            coarse: None,
+        }
+    }
+
+    /// The diagnosis from explanations, of which there is at least one, in the order in which they
+    /// are named.
+    pub(super) fn explained(&self, explanations: &[Explanation]) -> Diagnosis {
+        let mut found = self.diagnosis(Verdict::Explained);
+        let errors = explanations.iter().map(|explanation| explanation.error);
+        let least = errors.fold(f64::INFINITY, f64::min);
+        let enough = as_good(least, self.size);
+        let mut good = explanations
+            .iter()
+            .filter(|explanation| explanation.error <= enough);
+        if let Some(first) = good.next() {
+            found.error = first.error / self.size;
+            found.mistakes = first.told();
+        }
+        let together = found.together();
+        for other in good {
+            let ids = other.ids();
+            let is_same = |known: &[&str]| ids.iter().all(|id| known.contains(id));
+            if !is_same(&together) && !found.same_as.iter().any(|known| is_same(known)) {
+                found.same_as.push(ids);
+            }
+        }
+        found.causes = all_causes(&found.mistakes, &found.same_as);
+        found
+    }
+
+    /// Whether the vertices are the exact ones in an order that no importer is known to leave.
+    pub(super) fn in_another_order(&self) -> Option<Explanation> {
+        if self.order != VertexOrder::File {
+            return None;
+        }
+        let exact: Vec<DVec3> = self.exact.iter().map(|placed| placed.at).collect();
+        let from_exact = permutation(&exact, self.theirs, self.tolerance)?;
+        let pairs = from_exact.iter().zip(self.theirs);
+        let distances = pairs.map(|(&index, theirs)| exact[index as usize].distance(*theirs));
+        let made = Made {
+            mistake: Mistake::find("vertices-renumbered")?,
+            reading: &IN_ANY_ORDER,
+        };
+        Some(Explanation {
+            made: vec![made],
+            error: distances.fold(0.0, f64::max),
+            how: None,
+        })
+    }
+
+    fn is_off(&self, index: usize) -> bool {
+        self.distances[index] > self.tolerance
+    }
+
+    /// The joint that moves the vertex at `index` most, after all joints if none does.
+    fn joint_of(&self, index: usize) -> usize {
+        let source = self.model.source(self.order, index);
+        let none = self.model.skeleton().joints().len();
+        self.model.strongest(source.position).unwrap_or(none)
+    }
+
+    fn name(&self, joint: usize) -> Option<String> {
+        let joints = self.model.skeleton().joints();
+        joints.get(joint).map(|joint| joint.name.clone())
+    }
+
+    /// The vertex farthest off of the first joint, from the root on, where much is off: what joints below move a little
+    /// shows little of the mistake.
+    fn first(&self) -> Option<Shown> {
+        let mut worst: Vec<Option<usize>> = vec![None; self.model.skeleton().joints().len() + 1];
+        for index in 0..self.theirs.len() {
+            let worst = &mut worst[self.joint_of(index)];
+            let is_worse = |known: usize| self.distances[index] > self.distances[known];
+            if self.is_off(index) && worst.is_none_or(is_worse) {
+                *worst = Some(index);
+            }
+        }
+        let none = worst.len() - 1;
+        let off = |vertex: usize| self.distances[vertex];
+        let most = worst.iter().flatten().map(|&vertex| off(vertex));
+        let enough = MUCH * most.fold(0.0, f64::max);
+        let mut joints = self.model.by_depth.iter().copied().chain([none]);
+        let (joint, vertex) = joints.find_map(|joint| {
+            let vertex = worst[joint].filter(|&vertex| off(vertex) >= enough);
+            Some((joint, vertex?))
+        })?;
+        let name = self.name(joint);
+        Some(Shown {
+            joint_index: name.is_some().then_some(joint),
+            joint: name,
+            vertex,
+            error: self.distances[vertex] / self.size,
+            theirs: self.theirs[vertex].to_array(),
+            exact: self.exact[vertex].at.to_array(),
+        })
+    }
+
+    /// What each joint moves and is off.
+    pub(super) fn regions(&self) -> Vec<Region> {
+        let joints = self.model.skeleton().joints();
+        let (distances, limits) = (self.distances, (self.tolerance, self.size));
+        regions(joints, distances, limits, |index| self.joint_of(index))
+    }
+
+    /// Movements, scales and turns that give the whole mesh.
+    pub(super) fn of_the_whole(&self, theirs: &[Vec3]) -> Vec<OfTheWhole> {
+        let exact = self
+            .exact
+            .iter()
+            .map(|placed| placed.at.as_vec3())
+            .collect();
+        let [exact, theirs] = [exact, theirs.to_vec()].map(|points| Mesh::new(points, Vec::new()));
+        let options = MeshOptions {
+            tolerance: Some(self.tolerance),
+            ..MeshOptions::default()
+        };
+        let Ok(compared) = compare_meshes(&exact, &theirs, &options) else {
+            return Vec::new();
+        };
+        // What order and digits are is found out otherwise.
+        let of_all = |finding: &&MeshFinding| {
+            !matches!(
+                finding,
+                MeshFinding::Permuted { .. } | MeshFinding::Rounded { .. }
+            )
+        };
+        let findings = compared.findings.iter().filter(of_all);
+        findings.cloned().map(OfTheWhole).collect()
+    }
+}
