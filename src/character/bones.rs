@@ -1,4 +1,4 @@
-use super::{Attachments, SkeletalModel};
+use super::{Attachments, Character, SkeletalModel};
 use crate::geometry::cuboid_from_unit;
 use glam::{Mat4, Vec3};
 
@@ -10,17 +10,15 @@ pub struct StickFigure {
     pub joints: Vec<Vec3>,
     /// Matrices from each joint's frame to model space, by joint index.
     pub model_from_joint: Vec<Mat4>,
-    /// The bones, ordered by the joint at their far end.
+    /// The bones: those between joints, ordered by the joint at their far end; then those of lone joints.
     pub bones: Vec<Bone>,
 }
 
-/// Bone of a stick figure: the segment between a joint and its parent.
+/// Bone of a stick figure: the segment between a joint and its parent, or that from a lone joint to its tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bone {
     /// Index of the joint that turns the bone, at the near end.
     pub joint: usize,
-    /// Index of the joint at the far end.
-    pub child: usize,
     /// Near end, in model space.
     pub start: Vec3,
     /// Far end, in model space.
@@ -42,25 +40,39 @@ impl StickFigure {
             .iter()
             .map(|matrix| matrix.w_axis.truncate())
             .collect();
-        let bones = skeleton
-            .joints()
-            .iter()
-            .enumerate()
-            .filter_map(|(child, joint)| {
-                let parent = joint.parent?;
-                Some(Bone {
-                    joint: parent,
-                    child,
-                    start: joints[parent],
-                    end: joints[child],
-                })
+        let between = (skeleton.joints().iter().zip(&joints)).filter_map(|(joint, &end)| {
+            let parent = joint.parent?;
+            Some(Bone {
+                joint: parent,
+                start: joints[parent],
+                end,
             })
-            .collect();
+        });
         Self {
-            joints,
+            bones: between.collect(),
             model_from_joint: model_from_joint.to_vec(),
-            bones,
+            joints,
         }
+    }
+
+    /// The same with the bones of `character` by which joints are grabbed that have neither parent nor children. In the
+    /// assignment these have none, and a skeleton of such joints is nothing but a few points.
+    pub fn with_lone_joints(mut self, character: &Character) -> Self {
+        let skeleton = character.skeleton();
+        let is_lone = |joint: usize| {
+            skeleton.joints()[joint].parent.is_none() && skeleton.children(joint).is_empty()
+        };
+        let lone = character.bones().iter().filter(|bone| is_lone(bone.joint));
+        let model_from_joint = &self.model_from_joint;
+        self.bones.extend(lone.filter_map(|bone| {
+            let (start, end) = bone.ends(model_from_joint)?;
+            Some(Bone {
+                joint: bone.joint,
+                start,
+                end,
+            })
+        }));
+        self
     }
 }
 
@@ -161,8 +173,9 @@ fn leaf_tips(skeleton: &SkeletalModel, attachments: &Attachments, positions: &[V
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::character::{Character, Influence, Joint};
+    use crate::character::{Influence, Joint};
     use crate::geometry::Mesh;
+    use glam::vec3;
 
     fn joint(parent: Option<usize>, offset: [f32; 3], tip: Option<Vec3>) -> Joint {
         Joint {
@@ -243,6 +256,34 @@ mod tests {
         for long_or_elsewhere in [Vec3::Y * 0.3, Vec3::X * 0.2, Vec3::Y * -0.2] {
             assert_eq!(tip_of(long_or_elsewhere), long_or_elsewhere);
         }
+    }
+
+    #[test]
+    fn a_lone_joint_is_drawn_with_the_bone_that_it_is_grabbed_by_and_others_only_with_those_between_joints()
+     {
+        let drawn = |joints: Vec<Joint>| {
+            let character = character(joints, &[([1.0, 3.0, 0.0], 0, 1.0)]);
+            let frames = [
+                Mat4::from_translation(Vec3::X),
+                Mat4::from_translation(Vec3::Y),
+            ];
+            let skeleton = character.skeleton();
+            let frames = &frames[..skeleton.joints().len()];
+            let figure = StickFigure::new(skeleton, frames).with_lone_joints(&character);
+            let bones = figure.bones.iter();
+            let bones: Vec<_> = bones
+                .map(|bone| (bone.joint, bone.start, bone.end))
+                .collect();
+            bones
+        };
+        let lone = || joint(None, [1.0, 0.0, 0.0], None);
+        let to_its_vertex = (0, Vec3::X, vec3(1.0, 3.0, 0.0));
+        assert_eq!(drawn(vec![lone()]), [to_its_vertex]);
+        assert_eq!(drawn(vec![lone(), lone()]), [to_its_vertex]);
+        assert_eq!(
+            drawn(vec![lone(), joint(Some(0), [0.0; 3], Some(Vec3::Z))]),
+            [(0, Vec3::X, Vec3::Y)]
+        );
     }
 
     #[test]

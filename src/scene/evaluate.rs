@@ -289,7 +289,7 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
     let character = &shape.character;
     let skeleton = character.skeleton();
     let model_from_joint = skeleton.update_current_joint_to_world_transforms(shape.pose_at(time));
-    let figure = StickFigure::new(skeleton, &model_from_joint);
+    let figure = StickFigure::new(skeleton, &model_from_joint).with_lone_joints(character);
     let around_joints = Aabb::from_points(figure.joints.iter().copied());
     let mesh = character.bind_mesh().clone();
     EvaluatedGeometry {

@@ -3,18 +3,24 @@
 use super::method_view;
 use super::number_field::NumberField;
 use super::state::UiState;
+use super::theme::Palette;
 use super::widgets::{choice, labelled, named, section};
 use super::{Action, Ask, CompareMeshAction};
 use crate::editor::{Edit, Session, for_all_selected};
 use crate::scene::{
-    BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, ModelDisplay,
+    BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, Look, ModelDisplay,
     ShapeId, SkinningMethod,
 };
-use egui::{Button, CollapsingHeader, TextEdit, Ui, vec2};
+use egui::{Button, CollapsingHeader, Label, RichText, TextEdit, Ui, vec2};
 
 /// Diameters of points and widths of lines that can be set, in pixels.
 const POINT_SIZES: std::ops::RangeInclusive<f64> = 1.0..=64.0;
 const LINE_WIDTHS: std::ops::RangeInclusive<f64> = 1.0..=32.0;
+
+const BONES_OVER_ALL: &str = "The Mannequin look draws bones as red lines, over every mesh: Mesh Model and Both are \
+                              the same until View ⏵ Bones hides them.";
+const BONES_OF_SKELETONS: &str = "The Mannequin look draws bones as red lines. View ⏵ Bones is off, so that those of \
+                                  Mesh Models are hidden.";
 
 /// How a character is drawn: mesh, skeleton or both, and its joints and bones.
 pub(super) fn display(
@@ -43,8 +49,21 @@ pub(super) fn display(
             ),
         ],
     );
+    let look = session.view().look;
     if display.mode != ModelDisplay::Mesh {
-        skeleton(ui, display, &mut changed);
+        // The Mannequin look draws bones in one way, which is not to be chosen there.
+        ui.add_enabled_ui(look != Look::Mannequin, |ui| {
+            skeleton(ui, display, &mut changed);
+        });
+    }
+    if look == Look::Mannequin {
+        let bones = if session.view().bones {
+            BONES_OVER_ALL
+        } else {
+            BONES_OF_SKELETONS
+        };
+        let color = Palette::of(ui.visuals()).weak;
+        ui.add(Label::new(RichText::new(bones).small().color(color)).wrap());
     }
     if changed != display {
         let edit = Edit::SetDisplay(id, changed);

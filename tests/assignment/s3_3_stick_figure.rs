@@ -15,17 +15,12 @@ fn figure(skel: &str) -> StickFigure {
 fn every_joint_is_drawn_and_a_bone_for_every_joint_but_the_root() {
     let figure = figure(BODY);
     assert_eq!(figure.joints.len(), 5);
-    let bones: Vec<_> = figure
-        .bones
-        .iter()
-        .map(|bone| (bone.joint, bone.child))
-        .collect();
-    assert_eq!(bones, [(0, 1), (1, 2), (1, 3), (2, 4)]);
-    for bone in &figure.bones {
-        assert_eq!(
-            (bone.start, bone.end),
-            (figure.joints[bone.joint], figure.joints[bone.child])
-        );
+    let between = [(0, 1), (1, 2), (1, 3), (2, 4)];
+    assert_eq!(figure.bones.len(), between.len());
+    for (bone, (joint, child)) in figure.bones.iter().zip(between) {
+        assert_eq!(bone.joint, joint);
+        let ends = (figure.joints[joint], figure.joints[child]);
+        assert_eq!((bone.start, bone.end), ends);
     }
 }
 

@@ -205,6 +205,25 @@ fn esc_or_a_right_click_puts_everything_back_and_nothing_moves_until_all_buttons
 }
 
 #[test]
+fn a_bone_that_points_at_the_eye_says_how_it_is_turned() {
+    let mut editor = Editor::with_hands(Key::B);
+    let says_so = |editor: &Editor| {
+        let painted = editor.painted_over_view();
+        painted.iter().any(|text| text.contains("It points at you"))
+    };
+    let (start, end) = editor.bone(LEFT_ELBOW);
+    for (raised, points_at_eye) in [(0.3, true), (0.8, false)] {
+        let mut camera = editor.session().view().camera;
+        camera.target = start.midpoint(end);
+        editor.view(View::SetCamera(camera.facing(end - start, raised)));
+        let at = editor.on_bone(LEFT_ELBOW);
+        editor.point(at);
+        assert_eq!(editor.session().hovered_joint(), Some(LEFT_ELBOW));
+        assert_eq!(says_so(&editor), points_at_eye, "{raised}");
+    }
+}
+
+#[test]
 fn ctrl_turns_a_bone_in_steps_of_15_degrees() {
     let mut editor = Editor::with_hands(Key::B);
     let from = editor.on_bone(LEFT_ELBOW);

@@ -127,7 +127,6 @@ impl Editor {
         self.settle();
     }
 
-    /// Lets everything that was started finish.
     /// Lets a second and a half pass.
     fn wait(&mut self) {
         for _ in 0..6 {
@@ -135,6 +134,7 @@ impl Editor {
         }
     }
 
+    /// Lets everything that was started finish.
     fn settle(&mut self) {
         self.harness.run_steps(4);
     }

@@ -3,9 +3,10 @@
 use crate::interface::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
-use editor_core::scene::{Camera, NewShape, ShapeKind, ViewDirection};
+use editor_core::scene::{Camera, Look, NewShape, ShapeKind, ViewDirection};
 use editor_core::ui::Navigation;
 use egui::Key;
+use egui_kittest::kittest::NodeT;
 use glam::{Vec3, vec2};
 
 #[test]
@@ -146,4 +147,28 @@ fn a_wide_shape_is_fitted_to_the_width_of_a_wide_view() {
     let ends = [-5.0, 5.0].map(|x| editor.place(Vec3::new(x, 0.0, 0.5)).x);
     let share = (ends[1] - ends[0]) / editor.harness.state().view.width();
     assert!((0.85..1.0).contains(&share), "{share} of the width");
+}
+
+#[test]
+fn the_mannequin_look_says_that_it_draws_bones_its_own_way_and_styles_are_not_chosen_there() {
+    let mut editor = Editor::with_figure();
+    editor.click("Both");
+    let says_so = |editor: &Editor| {
+        let painted = editor.painted();
+        painted.iter().any(|(text, _)| text.contains("red lines"))
+    };
+    let can_choose =
+        |editor: &Editor, label: &str| !editor.widget(label).accesskit_node().is_disabled();
+    assert!(!says_so(&editor) && can_choose(&editor, "Spheres") && can_choose(&editor, "Boxes"));
+    editor.view(View::SetLook(Look::Mannequin));
+    assert!(says_so(&editor) && !can_choose(&editor, "Spheres") && !can_choose(&editor, "Boxes"));
+    for (bones, same) in [(true, true), (false, false)] {
+        editor.view(View::SetBones(bones));
+        let painted = editor.painted();
+        let are_same = painted
+            .iter()
+            .any(|(text, _)| text.contains("are the same"));
+        assert_eq!(are_same, same);
+        assert!(says_so(&editor));
+    }
 }

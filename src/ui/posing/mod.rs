@@ -18,7 +18,7 @@ pub(super) use typed::Typed;
 
 use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
-use crate::scene::{BoneHit, ShapeId};
+use crate::scene::{BoneHit, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
 use crate::ui::{Action, GestureStep};
@@ -203,6 +203,10 @@ pub(super) fn status(
             Some(hit.joint),
             "Click to select the joint · B turns bones by hand",
         ),
+        Tool::Pose if points_at_eye(session, hit) => (
+            Some(hit.joint),
+            "It points at you: click for rings to turn it by, or look from the side",
+        ),
         Tool::Pose => (
             Some(hit.joint),
             "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
@@ -215,6 +219,22 @@ pub(super) fn status(
         Tool::Rotate | Tool::Scale => return None,
     };
     Some((joint_name(session, hit.shape, joint), next.into()))
+}
+
+/// Cosine of the angle between a bone and the line of sight above which a turn about that line hardly moves it.
+const AT_EYE: f32 = 0.9;
+
+/// Whether the bone under the pointer runs along the line of sight, about which a drag turns it.
+fn points_at_eye(session: &Session, hit: BoneHit) -> bool {
+    let evaluated = session.evaluated().shape(hit.shape);
+    let bone =
+        evaluated.and_then(|evaluated| bones_in_world(session.scene(), evaluated).nth(hit.bone));
+    let eye = session.view().camera.eye();
+    bone.is_some_and(|(_, start, end)| {
+        let along = (end - start).normalize_or_zero();
+        let sight = (start - eye).normalize_or_zero();
+        along.dot(sight).abs() > AT_EYE
+    })
 }
 
 /// Effect of a drag of a handle, for the status line. Ctrl snaps all of them.
