@@ -85,14 +85,17 @@ pub enum AnglesOf {
     After,
     /// Itself, but roots have none.
     ItselfButRoots,
+    /// Its parent; roots have none.
+    Parent,
 }
 
 impl AnglesOf {
     /// The joint whose angles that at the index `joint` is given, if there are so many; `None` if none's.
-    pub(super) fn joint(self, joint: usize, is_root: bool) -> Option<usize> {
+    pub(super) fn joint(self, joint: usize, parent: Option<usize>) -> Option<usize> {
         match self {
             Self::Itself => Some(joint),
-            Self::ItselfButRoots => (!is_root).then_some(joint),
+            Self::ItselfButRoots => parent.map(|_| joint),
+            Self::Parent => parent,
             Self::Before => joint.checked_sub(1),
             Self::After => Some(joint + 1),
         }
@@ -243,7 +246,9 @@ impl Divided {
 pub struct WeightFormula {
     /// Which row of the file a vertex has.
     pub rows: Rows,
-    /// Whether the weights are divided by their sum first.
+    /// Whether the weights are rounded first.
+    pub rounded: Rounded,
+    /// Whether the weights are divided by their sum then.
     pub is_normalized: bool,
     /// Which of them are kept.
     pub kept: Kept,
@@ -253,6 +258,27 @@ pub struct WeightFormula {
     pub columns: Columns,
     /// Factor of each in the end.
     pub factor: f64,
+}
+
+/// Whole numbers for weights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounded {
+    /// Weights are as they are.
+    No,
+    /// The next one below.
+    Down,
+    /// The nearest one.
+    ToNearest,
+}
+
+impl Rounded {
+    pub(super) fn weight(self, weight: f64) -> f64 {
+        match self {
+            Self::No => weight,
+            Self::Down => weight.floor(),
+            Self::ToNearest => weight.round(),
+        }
+    }
 }
 
 /// How weights that are kept make up for those that are not.
@@ -372,6 +398,7 @@ impl Default for Formula {
             divided: Divided::Nothing,
             weights: WeightFormula {
                 rows: Rows::Exact,
+                rounded: Rounded::No,
                 is_normalized: false,
                 kept: Kept::All,
                 rescaled: Rescaled::No,

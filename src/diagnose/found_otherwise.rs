@@ -1,7 +1,7 @@
 //! Mistakes that are found otherwise than by making each in every way, and beside every other: in the faces of a mesh,
 //! and those that are hardly made beside another one.
 
-use super::formula::{AnglesOf, Columns, Kept, Offsets};
+use super::formula::{AnglesOf, Columns, Kept, Offsets, Rescaled, Rounded};
 use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
@@ -221,6 +221,83 @@ pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
     })],
 };
 
+/// A mistake in what is kept of the recursion over the joints.
+pub(super) static ROTATION_OF_CHILDREN_ONLY: Mistake = Mistake {
+    id: "rotation-of-children-only",
+    meaning: "the rotation of a joint turns its children but not itself",
+    section: SLIDERS,
+    look_at: "updateCurrentJointToWorldTransforms: what is kept for a joint has its own rotation, too",
+    readings: &[reading("", |formula| {
+        formula.joint.angles_of = AnglesOf::Parent;
+        formula.joint.rotates_first = true;
+    })],
+};
+
+/// A mistake in which weights are used, of which programs make that with four most often: see `influences-cut-4`.
+pub(super) static INFLUENCES_CUT_FEWER: Mistake = Mistake {
+    id: "influences-cut-fewer",
+    meaning: "fewer than four weights of a vertex are used",
+    section: SSD,
+    look_at: "where weights are read or summed: every joint counts, however many there are",
+    readings: &[
+        reading("the two largest", |formula| {
+            formula.weights.kept = Kept::Largest(2);
+        }),
+        reading("the two largest, divided by their sum", |formula| {
+            formula.weights.kept = Kept::Largest(2);
+            formula.weights.rescaled = Rescaled::ToOne;
+        }),
+        reading("the three largest", |formula| {
+            formula.weights.kept = Kept::Largest(3);
+        }),
+        reading("the three largest, divided by their sum", |formula| {
+            formula.weights.kept = Kept::Largest(3);
+            formula.weights.rescaled = Rescaled::ToOne;
+        }),
+        reading("the first", |formula| formula.weights.kept = Kept::First(1)),
+        reading("the first two", |formula| {
+            formula.weights.kept = Kept::First(2)
+        }),
+        reading("the first three", |formula| {
+            formula.weights.kept = Kept::First(3)
+        }),
+    ],
+};
+
+/// A mistake in the type of weights.
+pub(super) static WEIGHTS_ROUNDED: Mistake = Mistake {
+    id: "weights-rounded",
+    meaning: "weights are whole numbers",
+    section: SSD,
+    look_at: "where the .attach file is read: weights are float, and no int, up to the sum",
+    readings: &[
+        reading("rounded down", |formula| {
+            formula.weights.rounded = Rounded::Down
+        }),
+        reading("rounded to the nearest", |formula| {
+            formula.weights.rounded = Rounded::ToNearest;
+        }),
+    ],
+};
+
+/// A mistake in when B is made, which grading finds in the poses of other tests.
+pub static BIND_OF_OTHER_POSE: Mistake = Mistake {
+    id: "bind-of-other-pose",
+    meaning: "B is made in another pose than the bind pose",
+    section: SSD,
+    look_at: "computeBindWorldToJointTransforms: it runs once, before any joint is turned",
+    readings: &[],
+};
+
+/// A mistake in what is left of other poses, which grading finds in those of other tests.
+pub static ANGLES_KEPT: Mistake = Mistake {
+    id: "angles-kept",
+    meaning: "angles of an earlier pose are still there",
+    section: SLIDERS,
+    look_at: "setJointTransform: it sets the joint's rotation anew (=), and for joints that are not turned as well",
+    readings: &[],
+};
+
 /// A mistake in how weights are read, which changes all rows.
 pub(super) static WEIGHT_ROWS_DRIFT: Mistake = Mistake {
     id: "weight-rows-drift",
@@ -240,7 +317,7 @@ pub(super) static ANGLES_SCALED: Mistake = Mistake {
 };
 
 /// Those of a whole program that are made in few ways, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 10] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 13] = [
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &STACK_NOT_POPPED,
@@ -251,10 +328,13 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 10] = [
     &LAST_RESULT_SKINNED,
     &ANGLES_EXCHANGED,
     &ANGLES_SHIFTED,
+    &ROTATION_OF_CHILDREN_ONLY,
+    &INFLUENCES_CUT_FEWER,
+    &WEIGHTS_ROUNDED,
 ];
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 20] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 25] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
@@ -275,4 +355,9 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 20] = [
     &ROOT_ANGLES_MISSING,
     &WEIGHT_ROWS_DRIFT,
     &VERTEX_WITHOUT_W,
+    &ROTATION_OF_CHILDREN_ONLY,
+    &INFLUENCES_CUT_FEWER,
+    &WEIGHTS_ROUNDED,
+    &BIND_OF_OTHER_POSE,
+    &ANGLES_KEPT,
 ];

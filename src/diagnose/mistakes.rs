@@ -251,7 +251,8 @@ pub static MISTAKES: &[Mistake] = &[
         meaning: "the mesh is in the bind pose",
         section: SLIDERS,
         look_at: "whether angles reach setJointTransform, and whether \
-                  updateCurrentJointToWorldTransforms and updateMeshVertices run after it",
+                  updateCurrentJointToWorldTransforms and updateMeshVertices run after it, but not \
+                  computeBindWorldToJointTransforms, which would make B of the pose",
         readings: &[
             reading("as the formula gives it", |formula| {
                 formula.joint.has_pose = false

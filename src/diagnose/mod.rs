@@ -37,7 +37,7 @@ pub use formula::{
     AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
     JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
 };
-pub use found_otherwise::{LAST_RESULT_SKINNED, SUM_NOT_RESET};
+pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, LAST_RESULT_SKINNED, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};

@@ -161,7 +161,10 @@ impl<'a> Skinner<'a> {
 pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize, f64)>) {
     kept.clear();
     let of_file = influences.iter();
-    kept.extend(of_file.map(|one| (one.joint as usize, f64::from(one.weight))));
+    kept.extend(of_file.map(|one| {
+        let weight = formula.rounded.weight(f64::from(one.weight));
+        (one.joint as usize, weight)
+    }));
     if formula.is_normalized {
         scale_to(1.0, kept);
     }
@@ -232,10 +235,12 @@ impl Joints {
             }
         });
         let offset = |joint: usize| tree.offsets[joint];
-        let is_root = |joint: usize| model.skeleton().joints()[joint].parent.is_none();
+        let parent = |joint: usize| model.skeleton().joints()[joint].parent;
+        let is_root = |joint: usize| parent(joint).is_none();
         let own = &formula.joint;
         let angles_of = |joint: usize| {
-            let of = own.angles_of.joint(angles_of[joint], is_root(joint));
+            let parent = parent(joint).map(|parent| angles_of[parent]);
+            let of = own.angles_of.joint(angles_of[joint], parent);
             let of = of.filter(|of| *of < angles_of.len());
             of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
         };

@@ -1,6 +1,6 @@
 //! What the file of one test is.
 
-use crate::diagnose::{LAST_RESULT_SKINNED, SUM_NOT_RESET};
+use super::kept::MISTAKES;
 use serde::{Deserialize, Serialize};
 
 /// What became of a test.
@@ -104,8 +104,10 @@ impl Graded {
 
     /// Whether it follows from all tests, and not from its own alone.
     pub fn is_of_all_tests(&self) -> bool {
-        let kept = [&LAST_RESULT_SKINNED, &SUM_NOT_RESET].map(|mistake| mistake.id);
-        let is_of_others = |ids: &Vec<String>| ids.iter().any(|id| kept.contains(&&**id));
+        let is_of_others = |ids: &Vec<String>| {
+            let mut ids = ids.iter();
+            ids.any(|id| MISTAKES.iter().any(|mistake| mistake.id == id))
+        };
         matches!(self.outcome, Outcome::OtherPose | Outcome::Unexplained)
             || self.causes.iter().any(is_of_others)
     }

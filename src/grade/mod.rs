@@ -7,7 +7,7 @@ mod canvas;
 mod csv;
 mod found;
 mod graded;
-mod last_result;
+mod kept;
 mod mistake_section;
 mod name;
 mod page;

@@ -2,7 +2,7 @@
 
 use super::found::{explanations, hint, nearly, outcome};
 use super::graded::{Graded, Outcome, rounded};
-use super::last_result::{self, Posed};
+use super::kept::{self, Posed};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
@@ -153,7 +153,7 @@ impl Test {
                 let is_open = matches!(found.verdict, Verdict::OtherPose | Verdict::Unexplained);
                 let of_other = self.other_of(tests, |test| is_open && test.is_right(&theirs));
                 let found = match of_other.is_none() && is_open {
-                    true => self.or_of_last_result(found, &theirs, tests),
+                    true => self.or_of_kept(found, &theirs, tests),
                     false => found,
                 };
                 let mut graded = self.diagnosed_mesh(&found, &theirs);
@@ -322,8 +322,8 @@ impl Test {
         }
     }
 
-    /// `found`, or that results of others of `tests` were kept, if that gives `theirs`.
-    fn or_of_last_result(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
+    /// `found`, or that something of others of `tests` was kept, if that gives `theirs`.
+    fn or_of_kept(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
         let path = &self.data.character.path;
         let of_character = |test: &&Self| test.data.character.path == *path;
         let (before, after) = match tests
@@ -338,7 +338,7 @@ impl Test {
             tests.map(Self::posed).collect::<Vec<_>>()
         });
         let own = self.posed();
-        match last_result::find(&self.character, &own, theirs, &before, &after) {
+        match kept::find(&self.character, &own, theirs, &before, &after) {
             Some((mistake, how, error)) => found.explained_by(mistake, how, error),
             None => found,
         }

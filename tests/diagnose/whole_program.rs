@@ -2,6 +2,8 @@
 
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
+use editor_core::character::Pose;
+use editor_core::character::skinning::skin_positions;
 use editor_core::diagnose::{Diagnosis, Verdict};
 use glam::{Mat4, Vec3};
 
@@ -198,6 +200,85 @@ fn another_angle_of_one_joint_is_another_pose_and_no_factor() {
     };
     let found = bent(30.0).diagnose(&written(&RIGHT.skin(&bent(50.0)), 6));
     assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
+}
+
+#[test]
+fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
+    let figure = Figure::builtin("adult", turned(80));
+    let pose = figure.pose();
+    let skeleton = figure.character.skeleton();
+    let t = skeleton.update_current_joint_to_world_transforms(&pose);
+    let b = skeleton.update_current_joint_to_world_transforms(&Pose::new());
+    // What is kept for a joint lacks its own rotation.
+    let palette = (0..t.len()).map(|joint| {
+        let own = Mat4::from_mat3(pose.rotation(joint).to_mat3());
+        t[joint] * own.inverse() * b[joint].inverse()
+    });
+    let palette: Vec<Mat4> = palette.collect();
+    let rest = &figure.positions;
+    let mut skinned = rest.clone();
+    skin_positions(&palette, figure.character.attachments(), rest, &mut skinned);
+    let found = figure.diagnose(&written(&skinned, 6));
+    assert_named(&found, "rotation-of-children-only", "");
+}
+
+#[test]
+fn fewer_weights_than_four_are_named_with_their_number() {
+    fn largest(mut weights: Vec<(usize, f32)>, most: usize) -> Vec<(usize, f32)> {
+        weights.sort_by(|a, b| b.1.total_cmp(&a.1));
+        weights.truncate(most);
+        weights
+    }
+    fn to_one(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
+        let sum: f32 = weights.iter().map(|(_, weight)| weight).sum();
+        let scaled = weights
+            .into_iter()
+            .map(|(joint, weight)| (joint, weight / sum));
+        scaled.collect()
+    }
+    for (weights, how) in [
+        (
+            (|weights| largest(weights, 2)) as fn(Vec<(usize, f32)>) -> Vec<(usize, f32)>,
+            "the two largest",
+        ),
+        (
+            |weights| to_one(largest(weights, 2)),
+            "the two largest, divided by their sum",
+        ),
+        (|weights| largest(weights, 3), "the three largest"),
+        (
+            |weights| to_one(largest(weights, 3)),
+            "the three largest, divided by their sum",
+        ),
+        (|weights| weights.into_iter().take(1).collect(), "the first"),
+        (
+            |weights| weights.into_iter().take(2).collect(),
+            "the first two",
+        ),
+        (
+            |weights| weights.into_iter().take(3).collect(),
+            "the first three",
+        ),
+    ] {
+        let found = of(&Student { weights, ..RIGHT }, 81);
+        assert_named(&found, "influences-cut-fewer", how);
+    }
+}
+
+#[test]
+fn weights_that_are_whole_numbers_are_named() {
+    for (row, how) in [
+        (
+            (|row| row.iter().map(|weight| weight.floor()).collect()) as fn(&[f32]) -> Vec<f32>,
+            "rounded down",
+        ),
+        (
+            |row| row.iter().map(|weight| weight.round()).collect(),
+            "rounded to the nearest",
+        ),
+    ] {
+        assert_named(&of(&Student { row, ..RIGHT }, 82), "weights-rounded", how);
+    }
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! What an instructor gets: rows, a table, and a page that needs nothing else.
 
-use crate::diagnose::figures::obj;
+use crate::diagnose::figures::{Figure, obj};
 use crate::diagnose::student::with;
 use crate::grade::support::{Class, result};
 use crate::program::editor_in;
-use glam::Vec3;
+use editor_core::character::skinning::skin_positions;
+use editor_core::math::Euler;
+use glam::{Mat4, Vec3};
 use serde_json::json;
 
 fn class() -> Class {
@@ -210,6 +212,102 @@ fn sums_that_go_on_from_test_to_test_are_named_with_their_tests() {
     assert_eq!(result(&report, "ann", "robot-1")["outcome"], "right");
     let first = result(&report, "bob", "robot-1");
     assert_eq!(first["causes"], json!([["sum-begun-at-rest"]]));
+}
+
+#[test]
+fn b_of_the_pose_of_another_test_is_named_with_that_test() {
+    let class = Class::new(&["robot", "robot"]);
+    class.submit("ann", &with(&[]), |number| number.to_string());
+    let [(_, first), (_, second)] = &class.tests[..] else {
+        panic!("two tests")
+    };
+    let skeleton = first.character.skeleton();
+    let b = skeleton.update_current_joint_to_world_transforms(&first.pose());
+    let rest = &first.positions;
+    for (test, figure) in &class.tests {
+        let t = skeleton.update_current_joint_to_world_transforms(&figure.pose());
+        let palette: Vec<Mat4> = t.iter().zip(&b).map(|(t, b)| *t * b.inverse()).collect();
+        let mut skinned = rest.clone();
+        skin_positions(&palette, second.character.attachments(), rest, &mut skinned);
+        let text = obj(&skinned, figure, |number| number.to_string());
+        class.write(&format!("class/ann/{test}.obj"), text);
+    }
+    let report = class.graded();
+    let found = result(&report, "ann", "robot-2");
+    assert_eq!(found["causes"], json!([["bind-of-other-pose"]]));
+    assert_eq!(found["points"], json!({"3.2": 4.0, "3.4": 6.0, "4.2": 5.0}));
+    let text = found["text"].as_str().unwrap();
+    assert!(
+        text.contains("than the bind pose (that of robot-1)"),
+        "{text}"
+    );
+    let first = result(&report, "ann", "robot-1");
+    assert_eq!(first["causes"], json!([["pose-not-applied"]]));
+    let text = first["text"].as_str().unwrap();
+    assert!(text.contains("which would make B of the pose"), "{text}");
+}
+
+#[test]
+fn angles_that_are_left_of_other_tests_are_named_with_these() {
+    let mut class = Class::new(&["robot", "robot", "robot"]);
+    let of_test = |place: usize| class.tests[place].1.degrees.clone();
+    let [first, mut second, third] = [0, 1, 2].map(of_test);
+    for degrees in second.iter_mut().step_by(2) {
+        *degrees = Vec3::ZERO;
+    }
+    class.set_pose(1, second.clone());
+    let right = with(&[]);
+    let names = ["bob", "cid", "dan"];
+    for name in names {
+        class.submit(name, &right, |number| number.to_string());
+    }
+    let write = |student: &str, test: usize, degrees: Vec<Vec3>| {
+        let posed = Figure::builtin("robot", |joint| degrees[joint]);
+        let (test, figure) = &class.tests[test];
+        let text = obj(&right.skin(&posed), figure, |number| number.to_string());
+        class.write(&format!("class/{student}/{test}.obj"), text);
+    };
+    let joints = 0..first.len();
+    let left = joints.clone().map(|joint| match second[joint] {
+        Vec3::ZERO => first[joint],
+        own => own,
+    });
+    write("bob", 1, left.collect());
+    let sums = joints
+        .clone()
+        .map(|joint| first[joint] + second[joint] + third[joint]);
+    write("cid", 2, sums.collect());
+    let turned_on = joints.map(|joint| {
+        let [before, own] = [first[joint], second[joint]].map(Euler::from_degrees);
+        Euler::nearest(before.to_mat3() * own.to_mat3(), own).degrees()
+    });
+    write("dan", 1, turned_on.collect());
+    let report = class.graded();
+    for (student, test, how) in [
+        (
+            "bob",
+            "robot-2",
+            "those of robot-1, where the test has none",
+        ),
+        (
+            "cid",
+            "robot-3",
+            "those of robot-1, robot-2 together, to which its own are added",
+        ),
+        (
+            "dan",
+            "robot-2",
+            "those of robot-1, from which joints turn on",
+        ),
+    ] {
+        let found = result(&report, student, test);
+        assert_eq!(found["causes"], json!([["angles-kept"]]), "{found}");
+        let text = found["text"].as_str().unwrap();
+        assert!(text.contains(&format!("({how})")), "{text}");
+    }
+    for student in names {
+        assert_eq!(result(&report, student, "robot-1")["outcome"], "right");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::diagnose::figures::{Figure, Format, obj, turned};
 use crate::diagnose::student::Student;
 use crate::program::{Ran, editor_in};
+use glam::Vec3;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,14 +30,7 @@ impl Class {
             tests: tests.collect(),
         };
         for (name, figure) in &class.tests {
-            let joints = figure.degrees.iter().enumerate();
-            let joints: serde_json::Map<String, Value> = joints
-                .map(|(joint, degrees)| (joint.to_string(), json!(degrees.to_array())))
-                .collect();
-            class.write(
-                &format!("{name}.json"),
-                json!({ "joints": joints }).to_string(),
-            );
+            class.write_pose(name, figure);
         }
         let tests: Vec<Value> = class
             .tests
@@ -57,6 +51,23 @@ impl Class {
 
     pub fn path(&self) -> &Path {
         self.folder.path()
+    }
+
+    /// Writes the pose of a test.
+    fn write_pose(&self, test: &str, figure: &Figure) {
+        let joints = figure.degrees.iter().enumerate();
+        let joints: serde_json::Map<String, Value> = joints
+            .map(|(joint, degrees)| (joint.to_string(), json!(degrees.to_array())))
+            .collect();
+        let pose = json!({ "joints": joints }).to_string();
+        self.write(&format!("{test}.json"), pose);
+    }
+
+    /// Gives the test at the place `test` another pose.
+    pub fn set_pose(&mut self, test: usize, degrees: Vec<Vec3>) {
+        self.tests[test].1.degrees = degrees;
+        let (name, figure) = &self.tests[test];
+        self.write_pose(name, figure);
     }
 
     pub fn set_tests(&self, tests: &Value) {
