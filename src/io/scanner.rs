@@ -241,9 +241,18 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// `bytes` in UTF-8. What is no such text but holds only characters that are printed is taken for Latin-1, in which
-/// older programs write names and comments; numbers are the same in both.
+/// `bytes` in UTF-8. What begins with the mark of UTF-16 is in that, as PowerShell keeps what a program prints. What is no
+/// such text but holds only characters that are printed is taken for Latin-1, in which older programs write names and
+/// comments; numbers are the same in both.
 pub fn in_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let utf_16 = match bytes {
+        [0xFF, 0xFE, units @ ..] => from_utf_16(units, u16::from_le_bytes),
+        [0xFE, 0xFF, units @ ..] => from_utf_16(units, u16::from_be_bytes),
+        _ => None,
+    };
+    if let Some(text) = utf_16 {
+        return Cow::Owned(text.into_bytes());
+    }
     let is_printed = |&byte: &u8| match byte {
         b'\t' | b'\n' | b'\r' => true,
         0..0x20 | 0x7f..0xa0 => false,
@@ -254,6 +263,15 @@ pub fn in_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     }
     let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     Cow::Owned(text.into_bytes())
+}
+
+/// The text of `bytes`, of which each two are a `unit`; `None` if they are no such text.
+fn from_utf_16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Option<String> {
+    let (units, []) = bytes.as_chunks() else {
+        return None;
+    };
+    let units = units.iter().map(|bytes| unit(*bytes));
+    char::decode_utf16(units).collect::<Result<_, _>>().ok()
 }
 
 /// `bytes` as text, without the mark that some editors put before it.
@@ -363,6 +381,19 @@ mod tests {
             b"\x89PNG\r\n\x1a\n\xFF",
         ] {
             assert!(matches!(read(bytes), Cow::Borrowed(same) if same == bytes));
+        }
+    }
+
+    #[test]
+    fn a_text_in_utf_16_with_its_mark_is_read_and_half_a_character_is_none() {
+        let text = "# Jürgen 𝄞\nv 1 2 3\n";
+        let marked = || "\u{feff}".encode_utf16().chain(text.encode_utf16());
+        let little: Vec<u8> = marked().flat_map(u16::to_le_bytes).collect();
+        let big: Vec<u8> = marked().flat_map(u16::to_be_bytes).collect();
+        assert_eq!(&*in_utf8(&little), text.as_bytes());
+        assert_eq!(&*in_utf8(&big), text.as_bytes());
+        for cut in [&little[..little.len() - 1], &little[..22]] {
+            assert!(matches!(in_utf8(cut), Cow::Borrowed(same) if same == cut));
         }
     }
 

@@ -226,6 +226,14 @@ fn single_vertices_that_are_no_numbers_are_wrong_and_the_others_are_looked_at() 
     let (code, found) = json(folder.path(), "right.obj");
     assert_eq!((code, &found["verdict"]), (Some(1), &"unexplained".into()));
     assert_eq!((&found["error"], &found["off"]), (&Value::Null, &1.into()));
+    // As PowerShell writes what a program prints.
+    let units = format!("\u{feff}{text}")
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect::<Vec<u8>>();
+    fs::write(folder.path().join("right.obj"), units).unwrap();
+    let wide = diagnose(folder.path(), "right.obj", "man.obj", "bend.json");
+    assert_eq!((wide.out, wide.err), (ran.out, ran.err));
 }
 
 #[test]

@@ -1,11 +1,11 @@
-//! Mistakes of a whole program that are sought by themselves alone.
+//! Mistakes of a whole program that are sought by themselves alone, or in the weights of a joint or two.
 
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
 use editor_core::character::Pose;
 use editor_core::character::skinning::skin_positions;
 use editor_core::diagnose::{Diagnosis, Verdict};
-use glam::{Mat4, Vec3};
+use glam::{EulerRot, Mat4, Quat, Vec3};
 
 /// The diagnosis of what `student` writes of the adult.
 fn of(student: &Student, seed: u32) -> Diagnosis {
@@ -347,4 +347,86 @@ fn a_number_from_the_mesh_that_brings_it_hardly_nearer_is_no_explanation() {
         assert!(found.error_from_exact > found.tolerance, "{seed}: {found}");
         assert!(found.causes.is_empty(), "{seed}: {found}");
     }
+}
+
+#[test]
+fn a_root_that_is_turned_about_the_origin_is_not_a_mesh_that_was_moved() {
+    for name in ["adult", "dog"] {
+        let figure = Figure::builtin(name, turned(57));
+        let root = figure.parents.iter().position(Option::is_none).unwrap();
+        let [x, y, z] = figure.degrees[root].to_array().map(f32::to_radians);
+        let turn = Quat::from_euler(EulerRot::XYZ, x, y, z);
+        let away = turn * figure.offsets[root] - figure.offsets[root];
+        assert!(away.length() > 0.01, "{name}: {away}");
+        let theirs: Vec<Vec3> = RIGHT.skin(&figure).iter().map(|at| *at + away).collect();
+        let found = figure.diagnose(&written(&theirs, 6));
+        assert_eq!(found.causes, ["root-rotated-before-translation"], "{found}");
+        assert_eq!(found.mistakes[0].section, "3.4 Sliders");
+    }
+}
+
+#[test]
+fn two_joints_with_each_others_weights_are_named() {
+    let figure = Figure::builtin("adult", turned(58));
+    let exchange = Student {
+        joint_of_column: |column| match column + 1 {
+            13 => 14,
+            14 => 13,
+            joint => joint,
+        },
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&exchange.skin(&figure), 6));
+    assert_eq!(found.causes, ["weights-exchanged"], "{found}");
+    let told = "weights-exchanged: two joints have each other's weights (Right shoulder (13) and Right elbow (14))";
+    assert!(found.to_string().starts_with(told), "{found}");
+}
+
+#[test]
+fn a_stack_that_is_not_popped_is_named() {
+    let visit = |wrong: &mut Figure| {
+        let parents = wrong.parents.clone();
+        let mut stack: Vec<usize> = (0..parents.len())
+            .rev()
+            .filter(|&j| parents[j].is_none())
+            .collect();
+        let mut visited: Vec<usize> = Vec::new();
+        while let Some(joint) = stack.pop() {
+            if let Some(&before) = visited.last() {
+                wrong.parents[joint] = Some(before);
+            }
+            visited.push(joint);
+            stack.extend(
+                (0..parents.len())
+                    .rev()
+                    .filter(|&j| parents[j] == Some(joint)),
+            );
+        }
+    };
+    let figure = Figure::builtin("adult", turned(59));
+    let mut wrong = Figure::builtin("adult", turned(59));
+    visit(&mut wrong);
+    let found = figure.diagnose(&written(&RIGHT.skin(&wrong), 6));
+    assert_eq!(found.causes, ["stack-not-popped"], "{found}");
+    assert!(found.to_string().contains("(in T and in B)"), "{found}");
+}
+
+#[test]
+fn a_sum_that_begins_with_the_vertex_and_one_without_a_joint_are_named() {
+    let figure = Figure::builtin("adult", turned(60));
+    let begun = RIGHT.skin(&figure);
+    let begun: Vec<Vec3> = begun
+        .iter()
+        .zip(&figure.positions)
+        .map(|(sum, rest)| *sum + *rest)
+        .collect();
+    let found = figure.diagnose(&written(&begun, 6));
+    assert_eq!(found.causes, ["sum-begun-at-rest"], "{found}");
+    let without_last = Student {
+        weights: without_last_joint,
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&without_last.skin(&figure), 6));
+    assert_eq!(found.causes, ["joint-left-out"], "{found}");
+    assert!(found.to_string().contains("(Left elbow (17))"), "{found}");
 }
