@@ -58,7 +58,8 @@ pub enum Tool {
     Select,
     /// Turns the bone under the pointer ([`BoneDrag`]), or by a ring of its gizmo ([`RingDrag`]).
     Pose,
-    /// Moves the root above the bone, or the shape, under the pointer ([`MoveDrag`]).
+    /// Moves the shape under the pointer, or the root above the bone, if it shows or a joint of its character is selected
+    /// ([`MoveDrag`]).
     Move,
     /// Turns the selected shapes by the rings of a gizmo ([`ShapeTurn`]).
     Rotate,

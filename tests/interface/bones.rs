@@ -5,7 +5,7 @@ use editor_core::character::COURSE_JOINT_NAMES;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
 use editor_core::scene::NewShape;
-use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeKind, bones_in_world};
+use editor_core::scene::{CharacterDisplay, Look, ModelDisplay, ShapeKind, bones_in_world};
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::Vec3;
@@ -89,6 +89,15 @@ impl Editor {
         self.harness.drag_at(at);
         self.harness.step();
         self.let_go(at);
+    }
+
+    /// Displays the skeleton of the selected character with its mesh.
+    fn show_skeleton(&mut self) {
+        let display = CharacterDisplay {
+            mode: ModelDisplay::Both,
+            ..self.character().display
+        };
+        self.edit(Edit::SetDisplay(self.shape().id, display));
     }
 
     fn root_offset(&self, root: usize) -> Vec3 {
@@ -363,6 +372,7 @@ fn the_select_tool_moves_the_camera_on_bones_too_and_clicks_those_that_show() {
 #[test]
 fn the_move_tool_moves_a_root_one_to_one_under_the_pointer() {
     let mut editor = Editor::with_hands(Key::G);
+    editor.show_skeleton();
     let before = editor.bone(NECK).0;
     let from = editor.on_bone(NECK);
     let by = vec2(37.0, -21.0);
@@ -379,6 +389,38 @@ fn the_move_tool_moves_a_root_one_to_one_under_the_pointer() {
     let moved = editor.place(after) - editor.place(before);
     assert!((moved - by).length() < 0.05, "{moved:?}");
     assert_eq!(editor.shape().placement.transform, Transform::default());
+}
+
+#[test]
+fn the_move_tool_moves_a_mesh_as_a_whole_until_a_joint_is_selected_or_the_look_shows_bones() {
+    let mut editor = Editor::with_hands(Key::G);
+    let id = editor.shape().id;
+    let mut moves_root = |prepare: &dyn Fn(&mut Editor)| {
+        let (neck, _) = editor.bone(NECK);
+        let from = editor.place(neck);
+        editor.view(View::Select(None));
+        prepare(&mut editor);
+        editor.hand(from, from + vec2(37.0, -21.0));
+        editor.view(View::Select(Some(id)));
+        let moved = editor.shape().placement.transform.position;
+        let offset = editor.root_offset(ROOT);
+        assert!(
+            (moved == Vec3::ZERO) != (offset == Vec3::ZERO),
+            "{moved} {offset}"
+        );
+        editor.edit(Edit::SetTransform(id, Transform::default()));
+        editor.edit(Edit::ResetPose(id));
+        offset != Vec3::ZERO
+    };
+    assert!(!moves_root(&|_| {}));
+    assert!(moves_root(&|editor| {
+        editor.view(View::Select(Some(id)));
+        editor.view(View::SelectJoint(Some(NECK)));
+    }));
+    assert!(moves_root(
+        &|editor| editor.view(View::SetLook(Look::Mannequin))
+    ));
+    assert!(!moves_root(&|editor| editor.view(View::SetBones(false))));
 }
 
 #[test]
@@ -503,6 +545,7 @@ fn the_tools_have_buttons_keys_and_a_menu() {
 #[test]
 fn the_move_tool_names_the_root_that_moves_and_not_the_bone_under_the_hand() {
     let mut editor = Editor::with_hands(Key::G);
+    editor.show_skeleton();
     let from = editor.on_bone(LEFT_ELBOW);
     editor.point(from);
     let names = |editor: &Editor, name: &str| {

@@ -36,7 +36,10 @@ pub const GESTURES: &[Gesture] = &[
         "Pose: click a bone",
         "Show rings that turn it; Shift adds one",
     ),
-    gesture("Move: drag a bone", "Move its root, with Shift every root"),
+    gesture(
+        "Move: drag a bone that shows",
+        "Move its root, with Shift every root",
+    ),
     gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
     gesture("Drag a ring", "Turn about it, with Ctrl by 15°"),
     gesture(

@@ -18,7 +18,7 @@ pub(super) use typed::Typed;
 
 use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
-use crate::scene::{BoneHit, ShapeId, bones_in_world};
+use crate::scene::{BoneHit, Look, ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
 use crate::ui::{Action, GestureStep};
@@ -273,6 +273,23 @@ fn ik_status(session: &Session, shape: ShapeId, grip: IkGrip) -> &'static str {
     } else {
         "Drag to bring it somewhere, the chain follows · P pins"
     }
+}
+
+/// Whether the skeleton of a character is displayed.
+fn shows_skeleton(session: &Session, shape: ShapeId) -> bool {
+    let character = session.scene().character(shape);
+    character.is_some_and(|character| character.display.mode != ModelDisplay::Mesh)
+}
+
+/// Whether the bones of a character are seen: those of its skeleton, or of the Mannequin look.
+fn shows_bones(session: &Session, shape: ShapeId) -> bool {
+    let view = session.view();
+    view.look == Look::Mannequin && view.bones || shows_skeleton(session, shape)
+}
+
+/// Whether joints of a character are selected.
+fn is_posed(session: &Session, shape: ShapeId) -> bool {
+    session.selected() == Some(shape) && session.selected_joint().is_some()
 }
 
 /// The character whose joints are selected together, with a tool that turns them.

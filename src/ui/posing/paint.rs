@@ -2,8 +2,9 @@
 
 use super::held::PoseGesture;
 use super::ik::{followed, lost_pins, pinned};
+use super::{is_posed, shows_bones, shows_skeleton};
 use crate::editor::{IkGrip, Session, Tool};
-use crate::scene::{Look as SceneLook, ModelDisplay, ShapeId, bones_in_world};
+use crate::scene::{Look as SceneLook, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
 use crate::ui::scene_places::Place;
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Theme, Vec2};
@@ -21,11 +22,12 @@ const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session, tool: Tool) {
     if tool.takes_bones() {
         let selected = session.selected();
-        let shown = |id: ShapeId| {
-            let character = session.scene().character(id);
-            character.is_some_and(|shape| shape.display.mode != ModelDisplay::Mesh)
+        let is_hidden = |id: &ShapeId| {
+            let is_taken =
+                tool != Tool::Move || is_posed(session, *id) || shows_bones(session, *id);
+            is_taken && !shows_skeleton(session, *id) && is_pickable(session, *id)
         };
-        if let Some(shape) = selected.filter(|&id| !shown(id) && is_pickable(session, id)) {
+        if let Some(shape) = selected.filter(is_hidden) {
             let is_light = painter.ctx().theme() == Theme::Light;
             let is_before_light = is_light && session.view().look == SceneLook::Studio;
             let color = if is_before_light {

@@ -2,12 +2,12 @@
 
 use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
-use super::{PoseState, ik};
+use super::{PoseState, ik, is_posed, shows_bones, shows_skeleton};
 use crate::editor::{
     BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll, root_of,
 };
 use crate::math::Ray;
-use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
+use crate::scene::{BoneHit, ShapeId, pick_bone};
 use crate::ui::grab::{Grab, PointerUse, is_pickable};
 use crate::ui::pointing::Pointing;
 use crate::ui::scene_places::{Place, ScenePlaces};
@@ -183,8 +183,9 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
     Under::Nothing
 }
 
-/// The bone under the pointer: with tools that take no bones only where bones are displayed, and
-/// with those that turn and scale shapes none.
+/// The bone under the pointer: with tools for bones anyone's; with the Select tool one that is displayed, and with the
+/// Move tool one of the character as well of which a joint is selected, or that has no mesh, since it moves others as a
+/// whole; with those that turn and scale shapes none.
 fn bone_at(
     session: &Session,
     (tool, by_finger): (Tool, bool),
@@ -207,8 +208,15 @@ fn bone_at(
     };
     let by_finger = || by_finger.then(|| at(FINGER_REACH)).flatten();
     let hit = at(POINTER_REACH).or_else(by_finger)?;
-    let display = session.scene().character(hit.shape)?.display;
-    (tool.takes_bones() || display.mode != ModelDisplay::Mesh).then_some(hit)
+    let is_taken = match tool {
+        Tool::Move => {
+            let character = &session.scene().character(hit.shape)?.character;
+            let has_mesh = !character.bind_mesh().triangles.is_empty();
+            !has_mesh || shows_bones(session, hit.shape) || is_posed(session, hit.shape)
+        }
+        tool => tool.takes_bones() || shows_skeleton(session, hit.shape),
+    };
+    is_taken.then_some(hit)
 }
 
 /// The joint that a tool acts on when it takes a bone.
