@@ -69,6 +69,16 @@ impl Pose {
         self.root_offsets.get(&joint).copied().unwrap_or(Vec3::ZERO)
     }
 
+    /// The same with what `other` has for these joints.
+    pub fn with_joints_of(&self, other: &Self, joints: &[usize]) -> Self {
+        let mut pose = self.clone();
+        for &joint in joints {
+            pose.set_joint_transform(joint, other.rotation(joint));
+            pose.set_root_offset(joint, other.root_offset(joint));
+        }
+        pose
+    }
+
     /// Whether `joint` differs from the bind pose.
     pub fn is_changed(&self, joint: usize) -> bool {
         self.rotations.contains_key(&joint) || self.root_offsets.contains_key(&joint)

@@ -1,6 +1,6 @@
 //! The actions of panels, menus, keys and gestures, carried out.
 
-use super::clipboard::Sides;
+use super::clipboard::{Pasted, Sides};
 use super::document::Next;
 use super::files::file_stem;
 use super::running::Program;
@@ -180,7 +180,10 @@ impl Program {
             Ask::Answer(answer) => self.take_answer(answer, host),
             Ask::CopyShapes => drop(self.copy_shapes(host)),
             Ask::CutShapes => self.cut_shapes(host),
-            Ask::Paste => self.ask_for_clipboard(self.session.selected(), Sides::AsTheyAre, host),
+            Ask::Paste => {
+                let shape = self.session.selected();
+                self.ask_for_clipboard(shape, Pasted::whole(Sides::AsTheyAre), host);
+            }
             Ask::CopyPose(shape) => {
                 if let Some(text) = self.pose_text(shape, None) {
                     host.copy_text(text);
@@ -191,10 +194,25 @@ impl Program {
                 }
             }
             Ask::PastePose(shape) => {
-                self.ask_for_clipboard(Some(shape), Sides::AsTheyAre, host);
+                self.ask_for_clipboard(Some(shape), Pasted::whole(Sides::AsTheyAre), host);
             }
             Ask::PastePoseMirrored(shape) => {
-                self.ask_for_clipboard(Some(shape), Sides::Exchanged, host);
+                self.ask_for_clipboard(Some(shape), Pasted::whole(Sides::Exchanged), host);
+            }
+            Ask::PastePoseOnto {
+                shape,
+                joints,
+                mirrored,
+            } => {
+                let sides = match mirrored {
+                    true => Sides::Exchanged,
+                    false => Sides::AsTheyAre,
+                };
+                let pasted = Pasted {
+                    sides,
+                    joints: Some(joints),
+                };
+                self.ask_for_clipboard(Some(shape), pasted, host);
             }
             Ask::Compare(action) => self.compare(action, host),
             Ask::CompareMesh(action) => self.compare_mesh(action, host),

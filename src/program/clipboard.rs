@@ -7,6 +7,7 @@ use super::awaited::Awaited;
 use super::files::CLIPBOARD;
 use super::reading::Use;
 use super::running::Program;
+use crate::character::{Mirror, Pose, SkeletalModel};
 use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
 use crate::io::{self, Loaded, Missing, PoseFile, ReadJob, Wanted};
 use crate::revision::Revision;
@@ -18,13 +19,56 @@ use std::sync::Arc;
 const AS_SCENE: &str = "clipboard.scene";
 
 /// What gets what is on the clipboard.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct PasteInto {
     /// The document.
     opened: Revision,
     /// The character that a pose would be for.
     shape: Option<ShapeId>,
-    sides: Sides,
+    pasted: Pasted,
+}
+
+/// What a character gets of a pose.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Pasted {
+    pub sides: Sides,
+    /// The joints of which the pose is used; `None` for all.
+    pub joints: Option<Vec<usize>>,
+}
+
+impl Pasted {
+    /// All of a pose.
+    pub(super) fn whole(sides: Sides) -> Self {
+        Self {
+            sides,
+            joints: None,
+        }
+    }
+
+    /// The pose `before` with what it gets of `pose`, and the joints that get it, if these are not all.
+    pub(super) fn onto(
+        &self,
+        skeleton: &SkeletalModel,
+        before: &Pose,
+        pose: Pose,
+    ) -> (Pose, Option<Vec<usize>>) {
+        let mirror = match self.sides {
+            Sides::AsTheyAre => None,
+            Sides::Exchanged => Some(Mirror::new(skeleton)),
+        };
+        let pose = match &mirror {
+            Some(mirror) => mirror.pose(&pose),
+            None => pose,
+        };
+        let Some(joints) = &self.joints else {
+            return (pose, None);
+        };
+        let there = joints.iter().copied();
+        let there = there.filter(|&joint| joint < skeleton.joints().len());
+        let joints = there.map(|joint| mirror.as_ref().map_or(joint, |it| it.partner(joint)));
+        let joints: Vec<usize> = joints.collect();
+        (before.with_joints_of(&pose, &joints), Some(joints))
+    }
 }
 
 /// What is left and right in a pose that a character gets.
@@ -39,14 +83,14 @@ impl Program {
     pub(super) fn ask_for_clipboard(
         &mut self,
         shape: Option<ShapeId>,
-        sides: Sides,
+        pasted: Pasted,
         host: &mut dyn Host,
     ) {
         let opened = self.session.opened();
         self.paste_into = Some(PasteInto {
             opened,
             shape,
-            sides,
+            pasted,
         });
         host.request_paste();
     }
@@ -90,7 +134,7 @@ impl Program {
         let PasteInto {
             opened,
             shape,
-            sides,
+            pasted,
         } = into;
         if self.is_from_another_scene(opened) {
             return;
@@ -105,7 +149,7 @@ impl Program {
             _ if is_scene => return self.paste_shapes(text, host),
             // What begins like this is meant to be a pose, whose fault is worth telling.
             Some(shape) if text.trim_start().starts_with('{') => {
-                return self.take_pose(shape, path, text.as_bytes(), sides);
+                return self.take_pose(shape, path, text.as_bytes(), &pasted);
             }
             None if PoseFile::read(path, text.as_bytes()).is_ok() => {
                 "There is a pose on the clipboard, no shape: select the character that takes it"

@@ -1,12 +1,12 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
 use super::awaited::Awaited;
-use super::clipboard::Sides;
+use super::clipboard::{Pasted, Sides};
 use super::document_file::DocumentFile;
 use super::reading::Use;
 use super::running::Program;
 use super::{Host, Previous};
-use crate::character::{Mirror, Pose};
+use crate::character::{Pose, SkeletalModel};
 use crate::editor::{Edit, Severity, View, set_beside_each_other};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
@@ -202,7 +202,9 @@ impl Program {
         match files.read(path) {
             Ok(bytes) => match PoseFile::read_several(path, &bytes) {
                 Ok(Some(poses)) => self.keep_poses(shape, path, &poses),
-                Ok(None) => self.take_pose(shape, path, &bytes, Sides::AsTheyAre),
+                Ok(None) => {
+                    self.take_pose(shape, path, &bytes, &Pasted::whole(Sides::AsTheyAre));
+                }
                 Err(error) => self.tell(Severity::Error, error.to_string()),
             },
             Err(error) => self.tell(Severity::Error, error.to_string()),
@@ -214,7 +216,7 @@ impl Program {
         self.tell(Severity::Error, text);
     }
 
-    pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8], sides: Sides) {
+    pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8], pasted: &Pasted) {
         let Some(character) = self.session.scene().character(shape) else {
             return self.tell_no_character(path);
         };
@@ -236,10 +238,11 @@ impl Program {
         }
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
-                let pose = match sides {
-                    Sides::AsTheyAre => pose,
-                    Sides::Exchanged => Mirror::new(skeleton).pose(&pose),
-                };
+                let (pose, onto) = pasted.onto(skeleton, character.pose(), pose);
+                let told = onto.map(|joints| pasted_onto(skeleton, &joints));
+                if let Some(told) = told {
+                    self.tell(Severity::Info, told);
+                }
                 if !missing.is_empty() {
                     let text = without(path, &missing);
                     self.tell(Severity::Warning, text);
@@ -320,6 +323,15 @@ pub(super) fn file_stem(name: &str) -> String {
         "" => "shape".to_owned(),
         stem => stem.to_owned(),
     }
+}
+
+/// That a pose was given to these joints alone.
+fn pasted_onto(skeleton: &SkeletalModel, joints: &[usize]) -> String {
+    let onto = match joints {
+        &[joint] => format!("{} alone", skeleton.joints()[joint].name),
+        joints => format!("{} joints", joints.len()),
+    };
+    format!("Pasted onto {onto}; with no joint selected, onto all")
 }
 
 /// Message about a pose that some joints of `missing` names were left out of.

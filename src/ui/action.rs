@@ -103,6 +103,16 @@ pub enum Ask {
     PastePose(ShapeId),
     /// Apply the pose on the clipboard to a character, with left and right exchanged.
     PastePoseMirrored(ShapeId),
+    /// Apply what the pose on the clipboard has for these joints of a character; if it is mirrored, to those on the
+    /// other side. All others stay.
+    PastePoseOnto {
+        /// Identifier of the character.
+        shape: ShapeId,
+        /// Indices of the joints.
+        joints: Vec<usize>,
+        /// Whether left and right are exchanged.
+        mirrored: bool,
+    },
     /// Choose a file, and write the pose of a character to it as `POSE.json`; with an index, that
     /// pose of its list.
     SavePose(ShapeId, Option<usize>),

@@ -51,6 +51,7 @@ const OF_POSES: &[Command] = &[
     Command::ResetJoint,
     Command::ResetPose,
     Command::MirrorPose,
+    Command::MirrorJoints,
     Command::CopyPose,
     Command::PastePose,
     Command::PastePoseMirrored,

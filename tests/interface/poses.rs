@@ -4,7 +4,7 @@ use crate::interface::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::scene::NewShape;
 use editor_core::scene::ShapeKind;
-use editor_core::ui::Ask;
+use editor_core::ui::{Ask, Navigation};
 use egui::{Event, Key, Modifiers};
 use glam::Vec3;
 
@@ -41,6 +41,66 @@ fn mirroring_exchanges_left_and_right_and_twice_is_nothing() {
     assert!((editor.joint(NECK).y - 340.0).abs() < 1e-3);
     editor.key(Key::M);
     assert_eq!(editor.character().pose(), &before);
+}
+
+#[test]
+fn a_joint_is_mirrored_onto_the_other_side_and_stays_itself() {
+    let mut editor = posed();
+    let says = |editor: &Editor, text: &str| {
+        let painted = editor.painted();
+        painted.iter().any(|(painted, _)| painted.contains(text))
+    };
+    let mirror = |editor: &mut Editor| editor.key_with(Modifiers::SHIFT, Key::M);
+    editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
+    editor.choose(&["Pose", "Mirror onto Other Side"]);
+    let mirrored = Vec3::new(0.0, 0.0, 310.0);
+    assert!(editor.joint(RIGHT_ELBOW).abs_diff_eq(mirrored, 1e-3));
+    assert!((editor.joint(LEFT_ELBOW).z - 50.0).abs() < 1e-3);
+    assert!((editor.joint(NECK).y - 20.0).abs() < 1e-3);
+    let before = editor.character().pose().clone();
+    for (joints, why) in [
+        (vec![], "No joint is selected"),
+        (vec![NECK], "none on the other side"),
+        (vec![LEFT_ELBOW, RIGHT_ELBOW], "both sides are selected"),
+    ] {
+        editor.view(View::SelectJoint(None));
+        editor.view(View::SelectJoints(joints));
+        mirror(&mut editor);
+        assert!(says(&editor, why), "{why}");
+        assert_eq!(editor.character().pose(), &before);
+    }
+}
+
+#[test]
+fn in_the_blender_navigation_a_pose_is_pasted_onto_the_selected_joints() {
+    let mut editor = posed();
+    let id = editor.shape().id;
+    let mut asked_by = |navigation: Navigation, joints: Vec<usize>| {
+        let ui = &mut editor.harness.state_mut().state;
+        ui.set_navigation(navigation);
+        editor.click("Pose Tool");
+        editor.view(View::SelectJoint(None));
+        editor.view(View::SelectJoints(joints));
+        let before = editor.asked().len();
+        editor.harness.event(Event::Paste("{}".into()));
+        editor.settle();
+        let pasted = Event::Paste("{}".into());
+        let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
+        editor.harness.event_modifiers(pasted, with_shift);
+        editor.settle();
+        editor.asked()[before..].to_vec()
+    };
+    let whole = [Ask::Paste, Ask::PastePoseMirrored(id)];
+    assert_eq!(asked_by(Navigation::Course, vec![LEFT_ELBOW]), whole);
+    assert_eq!(asked_by(Navigation::Blender, vec![]), whole);
+    assert_eq!(asked_by(Navigation::Blender, (0..18).collect()), whole);
+    let onto = |mirrored| Ask::PastePoseOnto {
+        shape: id,
+        joints: vec![LEFT_ELBOW],
+        mirrored,
+    };
+    let asked = asked_by(Navigation::Blender, vec![LEFT_ELBOW]);
+    assert_eq!(asked, [onto(false), onto(true)]);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Several joints of a figure that are selected and turned together.
 
 use super::Story;
+use editor_core::editor::{Edit, View};
 use editor_core::math::Euler;
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers};
@@ -169,4 +170,50 @@ fn arrow_keys_roll_the_bone_that_was_dragged_last_until_the_pointer_moves() {
     story.point(story.view().left_top() + egui::vec2(30.0, 200.0));
     story.key(Key::ArrowRight);
     assert_eq!(rotations(&story), rolled);
+}
+
+#[test]
+fn a_pose_that_is_pasted_mirrored_onto_a_selected_joint_leaves_that_and_all_others_as_they_are() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let shape = story.shape().id;
+    let left = story.joint("Left elbow");
+    for (joint, degrees) in [
+        (story.joint("Neck"), Vec3::Y * 20.0),
+        (left, Vec3::Z * 50.0),
+    ] {
+        let rotation = Euler::from_degrees(degrees);
+        let edit = Edit::SetJointTransform {
+            shape,
+            joint,
+            rotation,
+        };
+        story.program.session_mut().edit(edit).expect("an angle");
+    }
+    let session = story.program.session_mut();
+    session.look(View::SelectJoints(vec![left]));
+    story.settle();
+    let steps = story.session().steps().len();
+    story.frame(vec![Event::Copy]);
+    story.settle();
+    let text = story.host.clipboard.clone();
+    story.frame(vec![Event::ModifiersChanged(
+        Modifiers::COMMAND | Modifiers::SHIFT,
+    )]);
+    story.frame(vec![Event::Paste(text)]);
+    story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+    story.settle();
+    let elbows = ["Left elbow", "Right elbow"].map(|joint| story.degrees(joint).z);
+    assert!(
+        (elbows[0] - 50.0).abs() < 1e-3 && (elbows[1] + 50.0).abs() < 1e-3,
+        "{elbows:?}"
+    );
+    assert!((story.degrees("Neck").y - 20.0).abs() < 1e-3);
+    assert_eq!(story.session().steps().len(), steps + 1);
+    let (_, told) = *story.messages().last().unwrap();
+    assert_eq!(
+        told,
+        "Pasted onto Right elbow alone; with no joint selected, onto all"
+    );
 }

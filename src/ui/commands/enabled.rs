@@ -2,7 +2,9 @@
 
 use super::hiding::{hidden, others};
 use super::put_back::why_nothing_back;
-use super::run::{character_to_compare, curves, selected_character, selected_curves};
+use super::run::{
+    character_to_compare, curves, mirror_joints, selected_character, selected_curves,
+};
 use super::sweep::sweep;
 use super::table::is_in;
 use super::{Command, Menu};
@@ -163,6 +165,8 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
         }
         Command::ResetPose if character.is_at_rest() => Some("Every joint is at rest"),
         Command::MirrorPose if pose.is_bind() => Some("Every joint is at rest"),
+        Command::MirrorJoints if joints.is_empty() => Some("No joint is selected"),
+        Command::MirrorJoints => mirror_joints(session).err(),
         _ => None,
     }
 }

@@ -173,6 +173,8 @@ pub enum Command {
     ResetPose,
     /// Exchanges left and right in the pose of the selected character.
     MirrorPose,
+    /// Give the joints on the other side the pose of those that are selected, mirrored.
+    MirrorJoints,
     /// Copies the pose of the selected character to the clipboard.
     CopyPose,
     /// Applies the pose on the clipboard to the selected character.

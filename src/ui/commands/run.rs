@@ -108,12 +108,15 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ResetJoint
         | Command::ResetPose
         | Command::MirrorPose
+        | Command::MirrorJoints
         | Command::CopyPose
         | Command::PastePose
         | Command::PastePoseMirrored
         | Command::KeepPose
         | Command::SavePose
-        | Command::LoadPose => return pose_action(command, session),
+        | Command::LoadPose => {
+            return pasted_onto(command, session, state).or_else(|| pose_action(command, session));
+        }
         Command::PinJoint => {
             state.pose.tool = Tool::Ik;
             if let Some((shape, joints)) = posing::joints_to_pin(session) {
@@ -198,7 +201,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             let posed = posed_character(session, state);
             return Some(Action::Ask(posed.map_or(Ask::CopyShapes, Ask::CopyPose)));
         }
-        Command::Paste => return Some(Action::Ask(Ask::Paste)),
+        Command::Paste => {
+            let onto = pasted_onto(command, session, state);
+            return onto.or(Some(Action::Ask(Ask::Paste)));
+        }
         Command::Rename => {
             let shape = session.selected().and_then(|id| session.scene().shape(id));
             state.renaming = shape.map(Renaming::of);
@@ -391,6 +397,7 @@ fn pose_action(command: Command, session: &Session) -> Option<Action> {
             let mirror = Mirror::new(character.character.skeleton());
             Edit::SetPose(shape, mirror.pose(character.pose()))
         }
+        Command::MirrorJoints => return mirror_joints(session).ok().map(Action::Edit),
         Command::KeepPose => Edit::KeepPose {
             shape,
             name: character.free_pose_name(),
@@ -403,6 +410,55 @@ fn pose_action(command: Command, session: &Session) -> Option<Action> {
         _ => return None,
     };
     Some(Action::Edit(edit))
+}
+
+/// Gives the joints on the other side the pose of the selected ones, mirrored.
+///
+/// # Errors
+/// In words why that is not possible.
+pub(super) fn mirror_joints(session: &Session) -> Result<Edit, &'static str> {
+    let (shape, character) = selected_character(session).ok_or("No character is selected")?;
+    let mirror = Mirror::new(character.character.skeleton());
+    let selected = session.selected_joints().iter();
+    let other_side = selected.map(|&joint| (joint, mirror.partner(joint)));
+    let other_side = other_side.filter(|(joint, partner)| joint != partner);
+    let other_side: Vec<usize> = other_side.map(|(_, partner)| partner).collect();
+    if other_side.is_empty() {
+        return Err("The selected joint has none on the other side");
+    }
+    let is_selected = |joint: &usize| session.selected_joints().contains(joint);
+    if other_side.iter().any(is_selected) {
+        return Err("Joints of both sides are selected (Mirror Pose exchanges them)");
+    }
+    let pose = character.pose();
+    let posed = pose.with_joints_of(&mirror.pose(pose), &other_side);
+    Ok(Edit::SetPose(shape, posed))
+}
+
+/// Pastes a pose onto the selected joints alone, as in Blender, where its navigation is chosen and bones are posed, but
+/// for all joints.
+fn pasted_onto(command: Command, session: &Session, state: &UiState) -> Option<Action> {
+    let shape = posed_character(session, state)?;
+    let joints = session.selected_joints();
+    let count = selected_character(session)?
+        .1
+        .character
+        .skeleton()
+        .joints()
+        .len();
+    let are_some = !joints.is_empty() && joints.len() < count;
+    let is_pasted = matches!(
+        command,
+        Command::Paste | Command::PastePose | Command::PastePoseMirrored
+    );
+    let is_meant = is_pasted && are_some && state.navigation == Navigation::Blender;
+    is_meant.then(|| {
+        Action::Ask(Ask::PastePoseOnto {
+            shape,
+            joints: joints.to_vec(),
+            mirrored: command == Command::PastePoseMirrored,
+        })
+    })
 }
 
 /// The character that a mesh is compared with: the selected one, or the only one.

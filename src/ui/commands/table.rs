@@ -277,6 +277,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]).also("zero clear"),
     entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]).also("zero clear bind t-pose"),
     entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]).also("flip symmetry symmetric reflect swap"),
+    entry(Command::MirrorJoints, Menu::Pose, "Mirror onto Other Side", "Give the joints on the other side the pose of the selected ones, which stay as they are", &[key(SHIFT, Key::M)]).also("flip symmetry symmetrize symmetric reflect opposite arm leg"),
     entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL.plus(Modifiers::ALT), Key::C)]),
     entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL.plus(Modifiers::ALT), Key::V)]),
     entry(Command::PastePoseMirrored, Menu::Pose, "Paste Pose Mirrored", "Apply the pose on the clipboard with left and right exchanged", &[key(CTRL.plus(SHIFT), Key::V)]).also("flip flipped symmetry reflect swap"),
