@@ -1,8 +1,8 @@
 use super::model::strongest;
-use super::precision::half_step;
+use super::precision::Written;
 use super::regions::regions;
 use super::skin::Placed;
-use super::{Region, size_of, tolerance};
+use super::{Region, size_of};
 use crate::character::Character;
 use glam::Vec3;
 
@@ -47,7 +47,7 @@ pub fn measure(character: &Character, exact: &[Vec3], theirs: &[Vec3]) -> Option
         })
         .collect();
     let size = size_of(exact.iter().copied());
-    let tolerance = tolerance(theirs, half_step(theirs), size);
+    let tolerance = Written::of(theirs, exact.iter().copied()).tolerance(size);
     let is_off = |distance: &&f64| **distance > tolerance;
     let worst = distances.iter().copied().fold(0.0, f64::max);
     let farthest = (0..distances.len()).max_by(|&a, &b| distances[a].total_cmp(&distances[b]));

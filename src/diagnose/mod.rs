@@ -35,7 +35,8 @@ pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
     AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
-    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
+    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rounded, Rows, VertexOrder,
+    WeightFormula,
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, LAST_RESULT_SKINNED, SUM_NOT_RESET};
 pub use job::MeshJob;
@@ -56,6 +57,7 @@ use crate::steps::{Pace, at_once};
 use findings::Findings;
 use glam::{DVec3, Vec3};
 use model::Model;
+use precision::Written;
 use search::{Explanation, Search};
 use std::rc::Rc;
 
@@ -144,8 +146,8 @@ async fn diagnose_vertices(
         .zip(&points)
         .map(|(placed, &point)| placed.distance(point))
         .collect();
-    let half_step = precision::half_step(theirs);
-    let tolerance = tolerance(theirs, half_step, size);
+    let written = Written::of(theirs, exact.iter().map(|placed| placed.at.as_vec3()));
+    let (half_step, tolerance) = (written.half_step, written.tolerance(size));
     let mut findings = Findings {
         model,
         order,
@@ -159,7 +161,13 @@ async fn diagnose_vertices(
     if order == VertexOrder::File && error <= tolerance {
         let closer = error / MUCH_NEARER;
         let is_closer = |it: &Explanation| closer > SINGLE_PRECISION * size && it.error <= closer;
-        let search = Search::new(model, pose, &points, tolerance, &distances);
+        let search = Search::new(
+            model,
+            pose,
+            &points,
+            (tolerance, written.largest),
+            &distances,
+        );
         let (_, same) = search.singles(pace).await;
         let (explanations, same): (Vec<_>, Vec<_>) = same.into_iter().partition(is_closer);
         if explanations.is_empty() {
@@ -174,7 +182,13 @@ async fn diagnose_vertices(
         findings.tolerance = closer;
         return Ok(findings.explained(&explanations));
     }
-    let search = Search::new(model, pose, &points, tolerance, &distances);
+    let search = Search::new(
+        model,
+        pose,
+        &points,
+        (tolerance, written.largest),
+        &distances,
+    );
     let (alone, mut explanations) = search.singles(pace).await;
     if explanations.is_empty() {
         explanations.extend(findings.in_another_order());
@@ -196,7 +210,9 @@ async fn diagnose_vertices(
         }
         pace.after(exact.len()).await;
         found.regions = findings.regions();
-        found.findings = findings.of_the_whole(theirs);
+        if !written.has_outliers {
+            found.findings = findings.of_the_whole(theirs);
+        }
         if found.findings.is_empty() {
             let limits = (tolerance, size);
             found.other_pose = other_pose::find(model, pose, order, &points, limits, pace).await;
@@ -240,15 +256,4 @@ fn size_of(points: impl Iterator<Item = Vec3>) -> f64 {
         size if size > 0.0 => size,
         _ => 1.0,
     }
-}
-
-/// How far vertices may be apart and agree, with numbers that rounding moves by `half_step` at most.
-fn tolerance(theirs: &[Vec3], half_step: f64, size: f64) -> f64 {
-    let rounding = precision::of_vertices(half_step);
-    let by_size = rounding.clamp(TOLERANCE * size, MOST_TOLERANCE * size);
-    let largest = theirs.iter().map(|point| point.abs().max_element());
-    let largest = largest
-        .filter(|largest| largest.is_finite())
-        .fold(0.0, f32::max);
-    by_size.max(SINGLE_PRECISION * f64::from(largest))
 }

@@ -1,4 +1,4 @@
-//! How exactly the numbers of a mesh were written.
+//! How exactly the numbers of a mesh were written, and how far vertices may be off for that.
 
 use super::skin::Placed;
 use super::{MOST_TOLERANCE, SINGLE_PRECISION, TOLERANCE};
@@ -14,12 +14,65 @@ const FEWEST_ROUNDED: usize = 12;
 /// The coarsest rounding, by the size, after which a mesh can still be told to be right.
 const MOST_ROUNDING: f64 = 0.02;
 
-/// Half a unit of the last digit of the largest coordinate, as far as the numbers show: what
-/// rounding to the digits that were written moves a coordinate at most.
-pub(super) fn half_step(points: &[Vec3]) -> f64 {
+/// Coordinates beyond so many times the largest exact one are none of a mesh, in whatever unit it is.
+const BEYOND_ANY: f32 = 1e4;
+/// Coordinates beyond so many times the middle one are not those that rounding is told by.
+const BEYOND_MOST: f32 = 100.0;
+
+/// How the numbers of a mesh were written, as far as they show it. Single vertices that are far outside of all others, as
+/// what was never set is, say nothing about the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Written {
+    /// The largest coordinate, but for those vertices.
+    pub(super) largest: f64,
+    /// Half a unit of its last digit: what rounding to the digits that were written moves a coordinate at most.
+    pub(super) half_step: f64,
+    /// Whether there are such vertices.
+    pub(super) has_outliers: bool,
+}
+
+impl Written {
+    /// How the vertices `theirs` of a mesh were written that should be at `exact`.
+    pub(super) fn of(theirs: &[Vec3], exact: impl Iterator<Item = Vec3>) -> Self {
+        let most = |point: &Vec3| point.abs().max_element();
+        let largest_exact = exact.map(|point| most(&point)).fold(0.0, f32::max);
+        let beyond_any = match largest_exact {
+            0.0 => f32::INFINITY,
+            largest => BEYOND_ANY * largest,
+        };
+        let finite = theirs.iter().filter(|point| point.is_finite()).map(most);
+        let mut inside: Vec<f32> = finite
+            .filter(|most| *most > 0.0 && *most <= beyond_any)
+            .collect();
+        let middle = inside.len() / 2;
+        let reach = match inside.get(middle) {
+            Some(_) => BEYOND_MOST * *inside.select_nth_unstable_by(middle, f32::total_cmp).1,
+            None => 0.0,
+        };
+        let told = inside.into_iter().filter(|most| *most <= reach);
+        let largest = told.fold(0.0, f32::max);
+        let is_outlier = |point: &&Vec3| most(point) > largest;
+        let others = theirs.iter().filter(|point| !is_outlier(point));
+        Self {
+            largest: f64::from(largest),
+            half_step: half_step(others),
+            has_outliers: theirs.iter().any(|point| is_outlier(&point)),
+        }
+    }
+
+    /// How far vertices may be apart and agree in a mesh of this size.
+    pub(super) fn tolerance(&self, size: f64) -> f64 {
+        let rounding = of_vertices(self.half_step);
+        let by_size = rounding.clamp(TOLERANCE * size, MOST_TOLERANCE * size);
+        by_size.max(SINGLE_PRECISION * self.largest)
+    }
+}
+
+/// Half a unit of the last digit of the largest coordinate, as far as the numbers show.
+fn half_step<'a>(points: impl Iterator<Item = &'a Vec3>) -> f64 {
     let (mut most_digits, mut most_decimals) = (0, 0);
     let mut exponent = i32::MIN;
-    for coordinate in points.iter().flat_map(|point| point.to_array()) {
+    for coordinate in points.flat_map(|point| point.to_array()) {
         if coordinate == 0.0 || !coordinate.is_finite() {
             continue;
         }
@@ -112,7 +165,7 @@ mod tests {
             (vec![Vec3::ZERO], 0.0),
             (vec![Vec3::splat(1.0 / 3.0), Vec3::splat(0.1 + 0.2)], 0.5e-9),
         ] {
-            let found = half_step(&points);
+            let found = half_step(points.iter());
             let is_near = (found - expected).abs() <= 1e-6 * expected;
             assert!(
                 is_near || found < 1e-8 && expected < 1e-8,

@@ -28,6 +28,8 @@ pub(super) struct Search<'a> {
     pub(super) theirs: &'a [DVec3],
     /// How far apart vertices may be and still agree.
     pub(super) tolerance: f64,
+    /// The largest coordinate, but for vertices far outside, which agree as far as their own coordinates are exact.
+    largest: f64,
     /// Vertices that tell formulas apart, those that tell most first, and then those from all over.
     pub(super) sample: Vec<usize>,
 }
@@ -110,7 +112,7 @@ impl<'a> Search<'a> {
         model: &'a Model<'a>,
         pose: &'a Pose,
         theirs: &'a [DVec3],
-        tolerance: f64,
+        (tolerance, largest): (f64, f64),
         distances: &[f64],
     ) -> Self {
         let mut sample: Vec<usize> = (0..theirs.len()).collect();
@@ -123,6 +125,7 @@ impl<'a> Search<'a> {
             pose,
             theirs,
             tolerance,
+            largest,
             sample,
         }
     }
@@ -206,8 +209,17 @@ impl<'a> Search<'a> {
         fits.then(|| Skinner::new(self.model, self.pose, formula))
     }
 
+    /// How far a vertex is from where `skinner` puts it; for one far outside as if it were not farther out than others.
     fn distance(&self, skinner: &mut Skinner, index: usize) -> f64 {
-        skinner.distance(index, self.theirs[index])
+        let theirs = self.theirs[index];
+        let distance = skinner.distance(index, theirs);
+        let out = theirs.abs().max_element();
+        let is_outside = self.largest > 0.0 && out > self.largest;
+        if is_outside && out.is_finite() {
+            distance * (self.largest / out)
+        } else {
+            distance
+        }
     }
 
     /// `made` if every vertex agrees with the mesh that it gives.

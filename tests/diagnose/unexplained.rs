@@ -5,7 +5,7 @@ use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
-use editor_core::diagnose::{DiagnoseError, Verdict, diagnose};
+use editor_core::diagnose::{DiagnoseError, NearlyRight, Verdict, diagnose};
 use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
 use glam::Vec3;
@@ -39,6 +39,59 @@ fn nonsense_has_no_cause_and_nothing_that_comes_near() {
         found.regions.iter().all(|region| region.share > 0.99),
         "{found}"
     );
+}
+
+#[test]
+fn a_vertex_far_outside_as_of_memory_that_was_never_set_says_nothing_about_the_others() {
+    let figure = adult();
+    let right = RIGHT.skin(&figure);
+    let swapped = with(&["factors-swapped"]).skin(&figure);
+    for out in [1.0e2, 1.0e4, 1.0e6, -1.073_741_8e8, 1.0e10, 1.0e30] {
+        for digits in [6, 9] {
+            let with_one_out = |places: &[Vec3]| {
+                let mut places = places.to_vec();
+                *places.last_mut().unwrap() = Vec3::splat(out);
+                figure.diagnose(&written(&places, digits))
+            };
+            let found = with_one_out(&right);
+            let nearly = found.nearly_right();
+            assert_eq!(
+                nearly,
+                Some(NearlyRight::ButForFew),
+                "{out} {digits}: {found}"
+            );
+            assert_eq!(found.off, 1, "{out} {digits}: {found}");
+            let found = with_one_out(&swapped);
+            let Some(NearlyRight::ButForFewWith(mistake)) = found.nearly_right() else {
+                panic!("{out} {digits}: {found}");
+            };
+            assert_eq!(mistake.id, "factors-swapped");
+            let found = with_one_out(&figure.positions);
+            let Some(NearlyRight::ButForFewWith(mistake)) = found.nearly_right() else {
+                panic!("{out} {digits}: {found}");
+            };
+            assert_eq!(mistake.id, "pose-not-applied");
+            let found = with_one_out(&vec![Vec3::ZERO; right.len()]);
+            assert_eq!(found.nearly_right(), None, "{out} {digits}: {found}");
+        }
+    }
+    // A third of them, or all.
+    for every in [3, 1] {
+        let garbage = right
+            .iter()
+            .enumerate()
+            .map(|(index, place)| match index % every {
+                0 => Vec3::new(index as f32, -2.0, 1.0) * 1.0e6,
+                _ => *place,
+            });
+        let found = figure.diagnose(&garbage.collect::<Vec<_>>());
+        assert_eq!(
+            (found.verdict, found.nearly_right()),
+            (Verdict::Unexplained, None),
+            "{found}"
+        );
+        assert!(found.agrees < 0.7, "{found}");
+    }
 }
 
 #[test]
