@@ -327,7 +327,7 @@ pub enum Columns {
 }
 
 /// Which weights of a vertex are kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kept {
     /// All.
     All,
@@ -337,6 +337,8 @@ pub enum Kept {
     First(usize),
     /// The last of those that are not zero, in the order of the joints.
     Last,
+    /// Those of at least this, in single precision.
+    From(f64),
 }
 
 /// Which joint an index means.

@@ -264,6 +264,29 @@ pub(super) static INFLUENCES_CUT_FEWER: Mistake = Mistake {
     ],
 };
 
+/// A mistake in which weights are used. From which on they are is worked out from the mesh; beside another mistake it is
+/// one of the numbers that programs have most often.
+pub(super) static SMALL_WEIGHTS_LEFT_OUT: Mistake = Mistake {
+    id: "small-weights-left-out",
+    meaning: "weights below a number are not used",
+    section: SSD,
+    look_at: "where weights are read or summed: small ones count as well, and only those of 0 may be skipped",
+    readings: &[
+        reading("those below 0.1", |formula| {
+            formula.weights.kept = Kept::From(0.1)
+        }),
+        reading("those below 0.05", |formula| {
+            formula.weights.kept = Kept::From(0.05)
+        }),
+        reading("those below 0.01", |formula| {
+            formula.weights.kept = Kept::From(0.01)
+        }),
+        reading("those below 0.001", |formula| {
+            formula.weights.kept = Kept::From(0.001)
+        }),
+    ],
+};
+
 /// A mistake in the type of weights.
 pub(super) static WEIGHTS_ROUNDED: Mistake = Mistake {
     id: "weights-rounded",
@@ -317,7 +340,7 @@ pub(super) static ANGLES_SCALED: Mistake = Mistake {
 };
 
 /// Those of a whole program that are made in few ways, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 13] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 14] = [
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &STACK_NOT_POPPED,
@@ -331,10 +354,11 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 13] = [
     &ROTATION_OF_CHILDREN_ONLY,
     &INFLUENCES_CUT_FEWER,
     &WEIGHTS_ROUNDED,
+    &SMALL_WEIGHTS_LEFT_OUT,
 ];
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 25] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 26] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &ONE_WRONG_PARENT,
@@ -358,6 +382,7 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 25] = [
     &ROTATION_OF_CHILDREN_ONLY,
     &INFLUENCES_CUT_FEWER,
     &WEIGHTS_ROUNDED,
+    &SMALL_WEIGHTS_LEFT_OUT,
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
 ];

@@ -114,6 +114,13 @@ impl<'a> MadeAlone<'a> {
         model.influences(row).iter().map(|one| one.joint as usize)
     }
 
+    /// Weights of `vertex`.
+    pub(super) fn weights(&self, vertex: usize) -> impl Iterator<Item = f32> + '_ {
+        let model = self.search.model;
+        let row = model.source(self.order, vertex).weights;
+        model.influences(row).iter().map(|one| one.weight)
+    }
+
     /// Joints that move the first vertex that is off: one of them is in every mistake with the weights of joints.
     fn moving_first(&self) -> impl Iterator<Item = usize> + '_ {
         let first = self.off.first();

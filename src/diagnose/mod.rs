@@ -26,6 +26,7 @@ mod regions;
 mod search;
 mod silhouette;
 mod skin;
+mod small_weights;
 mod triangles;
 mod vertex_formula;
 mod whole_program;

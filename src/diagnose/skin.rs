@@ -177,6 +177,10 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
             kept.truncate(most);
         }
         Kept::First(most) => kept.truncate(most),
+        Kept::From(least) => {
+            let least = f64::from(least as f32);
+            kept.retain(|(_, weight)| *weight >= least);
+        }
         Kept::Last => {
             kept.drain(..kept.len().saturating_sub(1));
         }

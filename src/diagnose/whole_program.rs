@@ -5,6 +5,7 @@ use super::made_alone::MadeAlone;
 use super::model::Model;
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
+use super::small_weights;
 use crate::character::{Attachments, Character, Influence};
 use crate::geometry::Mesh;
 use crate::steps::Pace;
@@ -38,6 +39,9 @@ pub(super) async fn find(
     }
     if found.is_empty() {
         found.extend(scaled_angles(fits, pace).await);
+    }
+    if found.is_empty() {
+        found.extend(small_weights::find(fits, pace).await);
     }
     if found.is_empty() {
         found.extend(sum_not_reset(alone, pace).await);

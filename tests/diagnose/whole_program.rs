@@ -266,6 +266,51 @@ fn fewer_weights_than_four_are_named_with_their_number() {
 }
 
 #[test]
+fn small_weights_that_are_left_out_are_named_with_the_number_below_which_they_are() {
+    fn below(least: f32, mut weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
+        weights.retain(|(_, weight)| *weight >= least);
+        weights
+    }
+    fn to_one(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
+        let sum: f32 = weights.iter().map(|(_, weight)| weight).sum();
+        let scaled = weights.into_iter();
+        scaled
+            .map(|(joint, weight)| (joint, weight / sum))
+            .collect()
+    }
+    let some_more = |least: f32, found: &Diagnosis| {
+        assert_eq!(found.causes, ["small-weights-left-out"], "{least}: {found}");
+        let how = &found.mistakes[0].how;
+        let number = how.split_whitespace().nth(2).unwrap().trim_end_matches(',');
+        let number: f32 = number.parse().unwrap();
+        // As far as weights show it.
+        assert!((number / least - 1.0).abs() < 0.1, "{least}: {how}");
+    };
+    for (weights, least) in [
+        (
+            (|weights| below(0.01, weights)) as fn(Vec<(usize, f32)>) -> Vec<(usize, f32)>,
+            0.01,
+        ),
+        (|weights| below(0.001, weights), 0.001),
+        (|weights| below(0.03, weights), 0.03),
+        (|weights| below(0.137, weights), 0.137),
+        (|weights| to_one(below(0.01, weights)), 0.01),
+        (|weights| to_one(below(0.05, weights)), 0.05),
+    ] {
+        let found = of(&Student { weights, ..RIGHT }, 83);
+        some_more(least, &found);
+    }
+    let beside = Student {
+        weights: |weights| below(0.01, weights),
+        ..with(&["euler-zyx"])
+    };
+    let found = of(&beside, 83);
+    let mut causes = found.together();
+    causes.sort_unstable();
+    assert_eq!(causes, ["euler-zyx", "small-weights-left-out"], "{found}");
+}
+
+#[test]
 fn weights_that_are_whole_numbers_are_named() {
     for (row, how) in [
         (
