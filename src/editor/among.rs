@@ -5,7 +5,7 @@ use crate::math::{Aabb, Euler, Transform};
 use crate::scene::{
     Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeId, ShapeKind,
 };
-use glam::{Mat4, Vec3};
+use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
 const GAP: f32 = 0.1;
@@ -36,8 +36,9 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
         if shapes.iter().all(is_curve) {
             let mut figures = standing(session);
             figures.retain(|other| other.is_figure);
-            let beside = way_out(&body_of(&bounds), &figures, Vec3::X);
-            stand_beside(session, shapes, beside, &bounds);
+            stand_beside(session, shapes, &bounds, |bounds| {
+                way_out(&body_of(bounds), &figures, Vec3::X)
+            });
         }
         return;
     };
@@ -54,13 +55,15 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     // Across the view: along it one would hide the other.
     let is_from_x = to_eye.x.abs() > FROM_THE_SIDE * to_eye.z.abs();
     let along = if is_from_x { Vec3::Z } else { Vec3::X };
-    let mut beside = way_out(&bounds, &others, along);
-    let back = backwards(&bounds, &others, wanted);
-    if beside != Vec3::ZERO && back != Vec3::ZERO && !is_from_x {
-        let moved = bounds.transformed(Mat4::from_translation(back));
-        beside = back + way_out(&moved, &others, along);
-    }
-    stand_beside(session, shapes, beside, &bounds);
+    stand_beside(session, shapes, &bounds, |bounds| {
+        let beside = way_out(bounds, &others, along);
+        let back = backwards(bounds, &others, wanted);
+        if beside != Vec3::ZERO && back != Vec3::ZERO && !is_from_x {
+            back + way_out(&moved(bounds, back), &others, along)
+        } else {
+            beside
+        }
+    });
 }
 
 /// The way back for what is deep, seen from the side that `others` face, until it stands out no further than these:
@@ -112,19 +115,31 @@ fn body_of(bounds: &Aabb) -> Aabb {
     }
 }
 
-/// Moves shapes with these `bounds` by `beside`, and then onto the ground of the characters.
-fn stand_beside(session: &Session, shapes: &mut [NewShape], mut beside: Vec3, bounds: &Aabb) {
-    if beside != Vec3::ZERO
-        && let Some(ground) = ground_of_characters(session)
-    {
-        let up = ground - lowest_at_rest(shapes);
-        if up.abs() > OFF_THE_GROUND * bounds.size().y {
-            beside.y = up;
-        }
+/// Moves shapes with these `bounds`, which would stand in others, onto the ground of the characters, and there by what
+/// `way_out` says of their bounds then.
+fn stand_beside(
+    session: &Session,
+    shapes: &mut [NewShape],
+    bounds: &Aabb,
+    way_out: impl Fn(&Aabb) -> Vec3,
+) {
+    if way_out(bounds) == Vec3::ZERO {
+        return;
     }
+    let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_at_rest(shapes));
+    let is_off = up.is_finite() && up.abs() > OFF_THE_GROUND * bounds.size().y;
+    let up = Vec3::Y * if is_off { up } else { 0.0 };
+    let by = up + way_out(&moved(bounds, up));
     for shape in shapes {
-        shape.placement.transform.position += beside;
-        shape.start.transform.position += beside;
+        shape.placement.transform.position += by;
+        shape.start.transform.position += by;
+    }
+}
+
+fn moved(bounds: &Aabb, by: Vec3) -> Aabb {
+    Aabb {
+        min: bounds.min + by,
+        max: bounds.max + by,
     }
 }
 
@@ -182,10 +197,7 @@ pub fn set_beside_figures(session: &Session, shape: &mut NewShape) {
     if matches!(shape.kind, ShapeKind::Curve(_)) {
         bounds = body_of(&bounds);
     }
-    let lifted = Aabb {
-        min: bounds.min + by,
-        max: bounds.max + by,
-    };
+    let lifted = moved(&bounds, by);
     let mut figures = standing(session);
     figures.retain(|other| other.is_figure);
     by += way_out(&lifted, &figures, Vec3::X);
@@ -317,10 +329,7 @@ fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
     let ways = std::iter::once(0.0).chain(ways);
     let ways = ways.map(|way| along * way);
     let mut free = ways.filter(|&way| {
-        let moved = Aabb {
-            min: bounds.min + way,
-            max: bounds.max + way,
-        };
+        let moved = moved(bounds, way);
         !there.iter().any(|other| stands_in(&moved, other))
     });
     free.next().unwrap_or(Vec3::ZERO)

@@ -70,7 +70,7 @@ pub(super) fn set_gradient(program: &Program, context: &PassContext) {
     program.set_f32("part", half.y);
 }
 
-/// Height of the floor in the world.
+/// Height of the floor in the world, unless shapes reach below: it would hide them.
 const FLOOR_HEIGHT: f32 = -2.0;
 /// Side of a tile in the world.
 const TILE: f32 = 5.0;
@@ -97,8 +97,9 @@ impl FloorPass {
 
     /// Draws it, before everything else: it covers what is below it, and what stands on it covers it.
     pub fn draw(&self, gl: &Gl, context: &PassContext, camera: &Camera) {
+        let height = context.ground.min(FLOOR_HEIGHT);
         // From below the floor would hide all that stands on it.
-        if camera.eye().y < FLOOR_HEIGHT {
+        if camera.eye().y < height {
             return;
         }
         let state = DrawState {
@@ -117,7 +118,7 @@ impl FloorPass {
         program.set_vec3("upwards", upwards * half.y);
         program.set_vec3("eye", camera.eye());
         program.set_vec3("light", MANNEQUIN_LIGHT);
-        program.set_f32("height", FLOOR_HEIGHT);
+        program.set_f32("height", height);
         program.set_f32("tile", TILE);
         program.set_f32("near", camera.near);
         program.set_f32("far", camera.far);

@@ -92,7 +92,7 @@ pub(super) struct PassContext {
     pub background: Background,
     /// From the world to the tile's clip space.
     pub clip_from_world: Mat4,
-    /// Height of the Studio look's ground in the world.
+    /// Height of the Studio look's ground in the world, and the highest at which the Mannequin look's floor is.
     pub ground: f32,
     /// Colors of the background and of marks before it.
     pub colors: &'static Colors,

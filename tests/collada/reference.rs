@@ -3,12 +3,15 @@
 use crate::reference_data::reference;
 use editor_core::character::{Character, Pose};
 use editor_core::disk::Disk;
+use editor_core::editor::set_beside_each_other;
 use editor_core::io::Imported;
 use editor_core::io::dae::{DaeScene, read_dae};
 use editor_core::math::Euler;
+use editor_core::scene::{Camera, CharacterShape, NewShape, ShapeKind, ViewDirection};
 use glam::{Mat3, Mat4, Vec3};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 const NAMES: [&str; 5] = ["split_cube", "long_cubes", "mapped_cube", "robot", "head"];
 
@@ -194,4 +197,47 @@ fn bones_that_the_exporter_calls_connected_end_at_their_child() {
     let joints = cubes.skeleton().joints();
     let tips: Vec<Vec3> = joints.iter().map(|joint| joint.tip.unwrap()).collect();
     super::support::assert_near(&tips, &[Vec3::Y, 3.0 * Vec3::Z, -3.0 * Vec3::Z]);
+}
+
+#[test]
+fn whatever_comes_after_a_head_stands_on_its_ground_and_in_nothing_else() {
+    let Some(folder) = folder() else { return };
+    let orders = [
+        ["head", "robot", "split_cube", "long_cubes"],
+        ["robot", "head", "mapped_cube", "split_cube"],
+        ["mapped_cube", "long_cubes", "head", "robot"],
+    ];
+    for names in orders {
+        let shapes = names.map(|name| {
+            let character = Arc::new(only_character(&folder, name));
+            NewShape::new(name, ShapeKind::Character(CharacterShape::new(character)))
+        });
+        let camera = Camera::preset(ViewDirection::MinusZ);
+        let placed = set_beside_each_other(shapes.to_vec(), [1; 4].into_iter(), &camera);
+        // Joints may hang below.
+        let boxes = placed.iter().map(|shape| {
+            let mesh = shape.kind.mesh().bounds();
+            mesh.transformed(shape.placement.transform.world_from_model())
+        });
+        let boxes: Vec<_> = boxes.collect();
+        let head = names.iter().position(|name| *name == "head").unwrap();
+        for (index, one) in boxes.iter().enumerate().filter(|(index, _)| *index > head) {
+            let up = one.min.y - boxes[head].min.y;
+            assert!(
+                up.abs() < 0.05,
+                "{} of {names:?} is {up} above the ground",
+                names[index]
+            );
+        }
+        for (index, one) in boxes.iter().enumerate() {
+            for other in &boxes[..index] {
+                let common = one.max.min(other.max) - one.min.max(other.min);
+                assert!(
+                    common.min_element() < 0.01,
+                    "{} of {names:?}: {one:?} {other:?}",
+                    names[index]
+                );
+            }
+        }
+    }
 }
