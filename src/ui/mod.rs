@@ -348,7 +348,8 @@ fn add_gestures_of_panels(
         let edits = actions
             .iter()
             .any(|action| matches!(action, Action::Edit(_)));
-        if holding && edits && !session.is_in_gesture() {
+        let has_begun = |action: &Action| matches!(action, Action::Gesture(_));
+        if holding && edits && !session.is_in_gesture() && !actions.iter().any(has_begun) {
             actions.insert(0, Action::Gesture(GestureStep::Begin));
         }
         // Also for a field that is not shown any more, which cannot end its drag.

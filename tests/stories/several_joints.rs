@@ -173,6 +173,42 @@ fn arrow_keys_roll_the_bone_that_was_dragged_last_until_the_pointer_moves() {
 }
 
 #[test]
+fn taps_of_an_arrow_key_roll_one_bone_in_one_step_whatever_they_swing_under_the_pointer() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.key(Key::B);
+    let places = story.character().character.skeleton().bind_positions();
+    let at = |story: &Story, joint: &str| places[story.joint(joint)];
+    // The arm swings about the shoulder, whose own bone the pointer rests on.
+    let from = at(&story, "Left shoulder").lerp(at(&story, "Left elbow"), 0.5);
+    let arm = story.at(from);
+    story.drag(arm, arm + egui::vec2(-60.0, -120.0));
+    let chest = at(&story, "Chest").lerp(at(&story, "Neck"), 0.4);
+    let chest = story.at(chest);
+    story.point(chest);
+    let hovered = story.session().hovered_joint().expect("a bone");
+    let before = story.character().pose().clone();
+    let steps = story.session().steps().len();
+    for _ in 0..40 {
+        story.key(Key::ArrowRight);
+    }
+    let after = story.character().pose().clone();
+    let joints = 0..places.len();
+    let changed: Vec<usize> = joints
+        .filter(|&joint| before.rotation(joint) != after.rotation(joint))
+        .collect();
+    assert_eq!(changed, [hovered]);
+    assert_eq!(story.session().steps().len(), steps + 1);
+    // Another edit in between ends that step.
+    story.key(Key::M);
+    story.key(Key::ArrowRight);
+    assert_eq!(story.session().steps().len(), steps + 3);
+    for _ in 0..3 {
+        story.key_with(Modifiers::COMMAND, Key::Z);
+    }
+    assert_eq!(story.character().pose(), &before);
+}
+
+#[test]
 fn a_pose_that_is_pasted_mirrored_onto_a_selected_joint_leaves_that_and_all_others_as_they_are() {
     let mut story = Story::start(&["builtin:adult"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);

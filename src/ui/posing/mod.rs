@@ -18,6 +18,7 @@ pub(super) use typed::Typed;
 
 use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
+use crate::revision::Revision;
 use crate::scene::{BoneHit, Look, ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
@@ -35,8 +36,11 @@ pub(super) struct PoseState {
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
-    /// Where a drag has left the pointer, until that moves, with the character and the joint that were dragged.
+    /// Where a drag has left the pointer, or a roll by keys, until that moves, with the character and the joint that were
+    /// turned.
     pub let_go: Option<(Pos2, (ShapeId, usize))>,
+    /// The bone that keys rolled last.
+    pub rolled: Option<Rolled>,
     /// What a command asked to be done to the selection with the pointer from now on, and how that gesture begins.
     pub asked: Option<(Tool, GestureStep)>,
     /// The drag under way.
@@ -61,6 +65,15 @@ pub(super) struct PoseState {
     pub bar_bottom: f32,
     /// The handle of a gizmo under the pointer in the last frame, while nothing is dragged.
     pub hot: Option<Handle>,
+}
+
+/// A bone that keys have rolled: the taps of a key are one step, as long as nothing else is done.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rolled {
+    /// The character, and the index of the bone.
+    bone: (ShapeId, usize),
+    /// The document with that, once the key is up.
+    document: Option<Revision>,
 }
 
 impl PoseState {

@@ -2,7 +2,7 @@
 
 use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
-use super::{PoseState, ik, is_posed, shows_bones, shows_skeleton};
+use super::{PoseState, Rolled, ik, is_posed, shows_bones, shows_skeleton};
 use crate::editor::{
     BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll, root_of,
 };
@@ -354,6 +354,11 @@ pub(in crate::ui) fn roll_by_keys(
     if ctx.input(|input| input.events.iter().any(is_press)) {
         state.pose.turns_camera = state.pose.hovered.is_none();
     }
+    if let Some(rolled) = &mut state.pose.rolled
+        && !session.is_in_gesture()
+    {
+        rolled.document.get_or_insert(session.document());
+    }
     let pose = &state.pose;
     if pose.tool != Tool::Pose || !pose.over_view {
         return;
@@ -375,9 +380,24 @@ pub(in crate::ui) fn roll_by_keys(
         let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
         right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
     });
-    if steps != 0.0 {
-        let edit = roll(session, shape, bone, steps * ROLL_STEP);
-        actions.extend(edit.map(Action::Edit));
+    let Some(edit) = roll(session, shape, bone, steps * ROLL_STEP).filter(|_| steps != 0.0) else {
+        return;
+    };
+    let document = Some(session.document());
+    let goes_on = |rolled: Rolled| rolled.bone == (shape, bone) && rolled.document == document;
+    if pose.rolled.is_some_and(goes_on) {
+        actions.push(Action::Gesture(GestureStep::BeginOnLastStep));
+    }
+    actions.push(Action::Edit(edit));
+    state.pose.rolled = Some(Rolled {
+        bone: (shape, bone),
+        document: None,
+    });
+    // What the roll swings under the pointer is not what is meant by the next tap.
+    if let Some(hit) = hovered {
+        let at = ctx.input(|input| input.pointer.latest_pos());
+        state.pose.let_go = at.map(|at| (at, (hit.shape, hit.joint)));
+        state.pose.taken = Some(hit);
     }
 }
 
