@@ -39,9 +39,13 @@ impl<'a> Scanner<'a> {
     /// At the start of the first line of `bytes`.
     ///
     /// # Errors
-    /// If they are no text in UTF-8.
+    /// If they are no text in UTF-8, or one in another format.
     pub fn new(path: &'a Path, bytes: &'a [u8]) -> Result<Self, Diagnostic> {
         let text = utf8(path, bytes)?;
+        if let Some(found) = markup(text) {
+            let message = format!("expected lines of words and numbers, found {found}");
+            return Err(Diagnostic::new(path, message));
+        }
         Ok(Self {
             path,
             text,
@@ -282,11 +286,7 @@ pub(super) fn utf8<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, Diagnost
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     std::str::from_utf8(bytes).map_err(|error| {
         // Under the name of another format no place in it says anything.
-        let format = match bytes {
-            [b'P', b'K', 3, 4, ..] => Some("a .zip archive".to_owned()),
-            _ => image::format_of(bytes).map(|format| format!("a {format} picture")),
-        };
-        if let Some(found) = format {
+        if let Some(found) = no_text(bytes) {
             return Diagnostic::new(path, format!("expected text, found {found}"));
         }
         let good = &bytes[..error.valid_up_to()];
@@ -297,6 +297,31 @@ pub(super) fn utf8<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, Diagnost
         let message = format!("expected text in UTF-8, found the byte 0x{found:02x}");
         Diagnostic::at(path, line, column, message)
     })
+}
+
+/// What `bytes` are that are known to be no text.
+pub(super) fn no_text(bytes: &[u8]) -> Option<String> {
+    match bytes {
+        [b'P', b'K', 3, 4, ..] => Some("a .zip archive".to_owned()),
+        _ => image::format_of(bytes).map(|format| format!("a {format} picture")),
+    }
+}
+
+/// What `text` is that begins with a tag, as no line of ours does: saved under a name that is not its own, or in place
+/// of what a page links to.
+fn markup(text: &str) -> Option<&'static str> {
+    let text = text.trim_start();
+    let begins = |with: &str| {
+        let start = text.get(..with.len());
+        start.is_some_and(|start| start.eq_ignore_ascii_case(with))
+    };
+    if begins("<?xml") || begins("<COLLADA") {
+        Some("XML: a Collada file has a name that ends in .dae")
+    } else if begins("<!doctype html") || begins("<html") {
+        Some("a web page (HTML)")
+    } else {
+        None
+    }
 }
 
 /// `text` in quotes, shortened and without control characters, fit for a message.
@@ -382,6 +407,24 @@ mod tests {
         ] {
             assert!(matches!(read(bytes), Cow::Borrowed(same) if same == bytes));
         }
+    }
+
+    #[test]
+    fn a_text_with_tags_is_said_to_be_of_another_format() {
+        for (text, expected) in [
+            (
+                "<?xml version=\"1.0\"?>\n<COLLADA>",
+                "a: expected lines of words and numbers, found XML: a Collada file has a name that ends in .dae",
+            ),
+            (
+                "\n <!DOCTYPE HTML>\n",
+                "a: expected lines of words and numbers, found a web page (HTML)",
+            ),
+        ] {
+            let error = Scanner::new(Path::new("a"), text.as_bytes()).unwrap_err();
+            assert_eq!(error.to_string(), expected);
+        }
+        assert!(Scanner::new(Path::new("a"), b"<3\nv 1 2 3\n").is_ok());
     }
 
     #[test]

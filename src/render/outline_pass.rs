@@ -88,7 +88,7 @@ impl OutlinePass {
                     ShapeKind::Character(character)
                         if character.display.mode == ModelDisplay::Skeleton =>
                     {
-                        skeletons.draw_mask(context, evaluated, color)?;
+                        skeletons.draw_mask(context, frame, evaluated, color)?;
                     }
                     ShapeKind::Curve(_) => draw_curve_mask(immediate, context, evaluated, color),
                     _ => {}

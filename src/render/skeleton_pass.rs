@@ -4,14 +4,16 @@ use super::frame::{Frame, PassContext};
 use super::surface_pass::set_lights;
 use super::surface_programs::{LOOKS, surface_fragment};
 use crate::character::StickFigure;
-use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, Poles, cube, smooth_normals, sphere};
+use crate::geometry::{
+    BONE_HALF_WIDTH, Mesh, Normals, Poles, cube, cuboid_from_unit, smooth_normals, sphere,
+};
 use crate::gpu::{
     Attribute, Blend, Buffer, DepthTest, DrawState, Gl, GpuError, Immediate, IndexBuffer, Mode,
     PointShape, Primitive, Program, Usage, VertexArray,
 };
 use crate::scene::{
-    BoneStyle, CharacterDisplay, EvaluatedShape, JointStyle, ModelDisplay, ShapeId, ShapeKind,
-    bones_in_world,
+    BoneStyle, CharacterDisplay, EvaluatedShape, JointStyle, Look, ModelDisplay, ShapeId,
+    ShapeKind, bones_in_world,
 };
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
@@ -125,10 +127,12 @@ impl SkeletonPass {
         Ok(())
     }
 
-    /// Draws a skeleton in one color, as boxes and spheres whatever its style.
+    /// Draws a skeleton in one color, as boxes and spheres whatever its style; in the Mannequin look the bones that are
+    /// lines there.
     pub fn draw_mask(
         &mut self,
         context: &PassContext,
+        frame: &Frame,
         evaluated: &EvaluatedShape,
         color: Vec3,
     ) -> Result<(), GpuError> {
@@ -138,6 +142,16 @@ impl SkeletonPass {
         self.mask_program
             .set_mat4("clip_from_world", context.clip_from_world);
         self.mask_program.set_vec3("color", color);
+        if frame.view.look == Look::Mannequin {
+            let bones = bones_in_world(frame.scene, evaluated);
+            let boxes = bones.filter_map(|(_, start, end)| {
+                let world_from_unit = cuboid_from_unit(start, end, BONE_HALF_WIDTH)?;
+                Some(Instance::new(world_from_unit, Vec3::ZERO))
+            });
+            return self
+                .bones
+                .draw(&self.mask_program, &boxes.collect::<Vec<_>>());
+        }
         let plain = JointColors::default();
         let world_from_model = evaluated.world_from_model;
         self.bones.draw(

@@ -546,3 +546,18 @@ proptest! {
         survive(words.concat());
     }
 }
+
+#[test]
+fn a_picture_or_an_archive_under_the_name_of_a_model_is_said_to_be_one() {
+    for (bytes, found) in [
+        (&b"\xff\xd8\xff\xe0\0\x10JFIF\0"[..], "a JPEG picture"),
+        (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "a PNG picture"),
+        (b"PK\x03\x04rest", "a .zip archive"),
+    ] {
+        let said = survive(bytes);
+        assert!(
+            said.contains(&format!("expected Collada, found {found}")),
+            "{said}"
+        );
+    }
+}

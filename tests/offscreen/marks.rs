@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use editor_core::character::{Attachments, Character, Influence, Joint, SkeletalModel};
-use editor_core::geometry::{Basis, cube};
+use editor_core::geometry::{Basis, Mesh, cube};
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
 use editor_core::scene::NewShape;
@@ -258,6 +258,47 @@ fn a_selected_skeleton_and_a_selected_curve_are_outlined_where_they_are() {
                 let is_outlined = |&at: &Vec3| has(&picture, at, is_selected_outline);
                 assert!(nearby.iter().any(is_outlined), "{x}");
             }
+        }
+    });
+}
+
+#[test]
+fn a_selected_skeleton_is_outlined_along_the_bones_that_its_look_draws() {
+    let joint = |parent: Option<usize>, offset: Vec3, tip: Vec3| Joint {
+        parent,
+        offset,
+        tip: Some(tip),
+        ..Joint::default()
+    };
+    // The file has the bone beside the way from joint to joint.
+    let joints = vec![
+        joint(None, Vec3::ZERO, Vec3::X),
+        joint(Some(0), Vec3::Y, Vec3::X * 0.5),
+    ];
+    let skeleton = SkeletalModel::new(joints).expect("a chain");
+    let mesh = Mesh::new(Vec::new(), Vec::new());
+    let character = Character::new(skeleton, Attachments::new(), mesh).expect("no vertices");
+    let mut shape = CharacterShape::new(Arc::new(character));
+    shape.display.mode = ModelDisplay::Skeleton;
+    shape.display.bones = BoneStyle::Boxes;
+    let mut scene = Scene::new();
+    let id = scene.add(NewShape::new("Rig", ShapeKind::Character(shape)));
+    on_each_backend(|gl| {
+        for (look, expected) in [
+            (Look::Mannequin, [true, false]),
+            (Look::Studio, [false, true]),
+        ] {
+            let mut view = ViewSettings { look, ..view() };
+            view.grid = false;
+            let mut renderer = Renderer::new(gl).expect("a renderer");
+            let picture = draw_scene(&mut renderer, gl, SIZE, &scene, &view, selected(id));
+            let middles = [(Vec3::X, Vec3::Y), (Vec3::Y, Vec3::X)].map(|(along, across)| {
+                let sides = [-0.06, 0.06].map(|side| along * 0.5 + across * side);
+                sides
+                    .iter()
+                    .any(|&at| has(&picture, at, is_selected_outline))
+            });
+            assert_eq!(middles, expected, "{look:?}");
         }
     });
 }

@@ -20,7 +20,7 @@ mod skin;
 mod sources;
 mod visual_scene;
 
-use super::scanner::quoted;
+use super::scanner::{no_text, quoted};
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
@@ -88,6 +88,12 @@ pub(super) async fn read_dae_by(
 ) -> Result<Imported<DaeScene>, Diagnostic> {
     let bytes = files.read(path)?;
     pace.after(bytes.len() / 8).await;
+    if let Some(found) = no_text(&bytes) {
+        return Err(Diagnostic::new(
+            path,
+            format!("expected Collada, found {found}"),
+        ));
+    }
     let text = document_text(&bytes);
     pace.after(bytes.len() / 8).await;
     let xml = parse_xml(path, &text)?;
