@@ -8,8 +8,14 @@ use super::{Host, Purpose};
 use crate::editor::{Edit, Severity, View};
 use crate::io::builtin;
 use crate::revision::Revision;
+use crate::scene::Look;
 use crate::ui::{Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove};
 use std::path::Path;
+
+/// How far ahead along Z the camera looks from where it sees the sides of shapes that the Course look leaves dark.
+const AGAINST_THE_LIGHT: f32 = 0.3;
+const DARK_FROM_HERE: &str = "The Course look has one light, from +Z, so that shapes are dark from this side: \
+                              View ⏵ View from ⏵ +Z shows the other, the Studio look lights all";
 
 impl Program {
     /// Carries out the actions of panels, menus, keys and gestures: the one place that does.
@@ -45,6 +51,10 @@ impl Program {
                     {
                         self.ui.look_of_new = Some(look);
                         self.ui.follow_look(look);
+                        let ahead = self.session.view().camera.forward();
+                        if look == Look::Course && ahead.z > AGAINST_THE_LIGHT {
+                            self.tell(Severity::Info, DARK_FROM_HERE.to_owned());
+                        }
                     }
                     let view = self.with_compared(view);
                     self.session.look(view);

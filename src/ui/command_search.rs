@@ -194,7 +194,11 @@ mod tests {
             let entries = found(words).into_iter();
             entries.map(|(_, entry)| entry.label).collect()
         };
-        let mirroring = ["Mirror Pose", "Paste Pose Mirrored"];
+        let mirroring = [
+            "Mirror Pose",
+            "Paste Pose Mirrored",
+            "Mirror onto Other Side",
+        ];
         assert_eq!(found("pose mirror"), mirroring);
         assert_eq!(found("ICOSA"), ["Icosahedron"]);
         assert_eq!(found("utah"), ["Teapot"]);
@@ -228,7 +232,7 @@ mod tests {
             ("lathe", "Surface of Revolution from Curve"),
             ("tube", "Sweep from Curves"),
             ("zoom", "Fit to View"),
-            ("front view", "View from +Z"),
+            ("front view", "View from +Z (Front)"),
             ("shortcuts", "Keys and Mouse"),
             ("export mesh", "Export Geometry…"),
             ("inverse kinematics", "IK Tool"),

@@ -33,6 +33,19 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
         "The camera is always in perspective.",
     ),
     (
+        &[
+            "apply transform",
+            "apply scale",
+            "apply rotation",
+            "apply location",
+        ],
+        "A transform stays with its shape as numbers in the panel. Export writes shapes as they stand.",
+    ),
+    (
+        &["parent", "unparent"],
+        "Shapes have no parents: those that are selected together move together.",
+    ),
+    (
         &["keyframe", "timeline", "animation"],
         "Poses are kept one by one, without an animation between them. Screenshot… saves a turntable.",
     ),

@@ -111,8 +111,9 @@ const ESC_RESTS: f64 = 1.0;
 /// Notice after the first press.
 const ESC_ENDS: &str = "Esc again ends the program";
 
-/// Seconds within which Esc has to be pressed again to end the program: the history of the document goes with it.
-const ESC_AGAIN: f64 = 4.0;
+/// Seconds after which Esc has to be pressed again to end the program: the history of the document goes with it. Who
+/// presses it many times, to get out of a menu, has not read the notice.
+const ESC_AGAIN: std::ops::Range<f64> = 0.5..4.0;
 
 /// A key that was pressed, and when, in seconds of egui's clock.
 #[derive(Clone, Copy)]
@@ -174,7 +175,8 @@ pub(super) fn press(
             return;
         }
         // Nothing was open since the first press.
-        let is_second = |first: f64| pressed.at - first < ESC_AGAIN && state.busy_at <= first;
+        let is_second =
+            |first: f64| ESC_AGAIN.contains(&(pressed.at - first)) && state.busy_at <= first;
         let is_second = state.escaped_at.take().is_some_and(is_second);
         // A question about unsaved work takes its place.
         let fresh = session.messages.fresh().iter();

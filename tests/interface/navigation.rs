@@ -185,7 +185,7 @@ fn the_window_about_the_keys_tells_the_gestures_of_the_chosen_way() {
     editor.key(Key::F1);
     assert!(editor.has("W, S") && editor.has("Reset View and Pose"));
     assert!(
-        editor.has("Mannequin 2: Chain") && !editor.has("View from +Z"),
+        editor.has("Mannequin 2: Chain") && !editor.has("View from +Z (Front)"),
         "1 and 2 open scenes"
     );
 }

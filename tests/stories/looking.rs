@@ -2,8 +2,8 @@
 //! the assignment say that they do.
 
 use super::{Story, differing};
-use editor_core::editor::Tool;
-use editor_core::scene::{Camera, Look, Shading, ShapeKind};
+use editor_core::editor::{Tool, View};
+use editor_core::scene::{Camera, Look, Shading, ShapeKind, ViewDirection};
 use editor_core::ui::{COMMANDS, Command, Navigation};
 use egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, ThemePreference, pos2, vec2,
@@ -672,4 +672,21 @@ fn on_software_a_picture_that_moves_has_no_samples_and_the_full_one_comes_as_soo
     story.button(false);
     story.settle();
     assert_eq!(differing(&moving, &story.scene_picture()) > 0, software);
+}
+
+#[test]
+fn the_course_look_says_why_shapes_are_dark_from_the_side_that_its_light_does_not_reach() {
+    let mut story = Story::start(&["builtin:adult"]);
+    for (from, says_so) in [(ViewDirection::PlusZ, false), (ViewDirection::MinusZ, true)] {
+        let view = View::SetCamera(Camera::preset(from));
+        story.program.session_mut().look(view);
+        story.key(Key::F3);
+        let before = story.messages().len();
+        story.key(Key::F2);
+        let told = story.messages();
+        let is_told = told[before..]
+            .iter()
+            .any(|(_, text)| text.contains("from +Z"));
+        assert_eq!(is_told, says_so, "{from:?} {told:?}");
+    }
 }

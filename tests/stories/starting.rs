@@ -271,6 +271,15 @@ fn esc_ends_the_program_where_nothing_else_is_to_end() {
     story.wait(5.0);
     story.press_escape();
     assert!(!story.host.quits, "the first press is long ago");
+    for _ in 0..5 {
+        story.wait(0.2);
+        story.press_escape();
+        assert!(
+            !story.host.quits,
+            "who presses it so fast has not read the notice"
+        );
+    }
+    story.wait(0.6);
     story.press_escape();
     assert!(story.host.quits);
 }
@@ -287,6 +296,7 @@ fn the_question_about_unsaved_work_takes_the_place_of_the_notice_about_esc() {
     };
     story.press_escape();
     assert!(told(&story));
+    story.wait(0.6);
     story.press_escape();
     assert!(story.has("Don't Save"), "the question");
     assert!(!told(&story) && !story.host.quits);
