@@ -103,7 +103,7 @@ impl JointBone {
 }
 
 /// Bones of a character, ordered by joint: if the file gives the length of a joint's bone, that
-/// one, or at a joint without children one that can be grabbed; otherwise one to each child that is
+/// one, or one that can be grabbed if it is a stub; otherwise one to each child that is
 /// not at the same place; and for a joint without children one as far as the vertices reach that it
 /// dominates.
 pub(super) fn bones(
@@ -111,13 +111,12 @@ pub(super) fn bones(
     attachments: &Attachments,
     positions: &[Vec3],
 ) -> Vec<JointBone> {
-    let reach = leaf_tips(skeleton, attachments, positions);
+    let reach = reach_of_vertices(skeleton, attachments, positions);
     let mut bones = Vec::new();
     for (joint, described) in skeleton.joints().iter().enumerate() {
         let children = skeleton.children(joint);
         let tips: Vec<Vec3> = match (described.tip, children.is_empty()) {
-            (Some(tip), true) => vec![no_stub(tip, reach[joint])],
-            (Some(tip), false) => vec![tip],
+            (Some(tip), _) => vec![no_stub(tip, reach[joint])],
             (None, true) => vec![reach[joint]],
             (None, false) => children
                 .iter()
@@ -144,17 +143,20 @@ fn no_stub(tip: Vec3, reach: Vec3) -> Vec3 {
     }
 }
 
-/// Tips of the bones of all joints without children: the farthest extent of the vertices that the
-/// joint dominates, along their mean direction. Zero where it dominates none.
-fn leaf_tips(skeleton: &SkeletalModel, attachments: &Attachments, positions: &[Vec3]) -> Vec<Vec3> {
+/// How far the vertices reach that each joint dominates, along their mean direction, by joint. Zero where it dominates
+/// none.
+fn reach_of_vertices(
+    skeleton: &SkeletalModel,
+    attachments: &Attachments,
+    positions: &[Vec3],
+) -> Vec<Vec3> {
     let at = skeleton.bind_positions();
     let followers = || {
         let vertices = attachments.vertices().zip(positions);
         vertices.filter_map(|(influences, &position)| {
             let most = influences.iter().find(|i| i.weight > DOMINANT)?;
             let joint = most.joint as usize;
-            let is_leaf = joint < at.len() && skeleton.children(joint).is_empty();
-            is_leaf.then(|| (joint, position - at[joint]))
+            (joint < at.len()).then(|| (joint, position - at[joint]))
         })
     };
     let mut sums = vec![Vec3::ZERO; at.len()];
@@ -243,18 +245,22 @@ mod tests {
     }
 
     #[test]
-    fn a_stub_at_a_leaf_reaches_as_far_as_what_it_moves_so_that_it_can_be_grabbed() {
-        let tip_of = |tip: Vec3| {
-            let joints = vec![
-                joint(None, [0.0; 3], None),
-                joint(Some(0), [0.0, 1.0, 0.0], Some(tip)),
-            ];
-            let head = [([0.5, 3.0, 0.0], 1, 1.0), ([-0.5, 3.0, 0.0], 1, 1.0)];
-            character(joints, &head).bones()[1].tip
-        };
-        assert!(tip_of(Vec3::Y * 0.2).abs_diff_eq(Vec3::Y * 2.0, 1e-6));
-        for long_or_elsewhere in [Vec3::Y * 0.3, Vec3::X * 0.2, Vec3::Y * -0.2] {
-            assert_eq!(tip_of(long_or_elsewhere), long_or_elsewhere);
+    fn a_stub_reaches_as_far_as_what_it_moves_so_that_it_can_be_grabbed() {
+        // A head, without and with an eye that hangs on it.
+        for eyes in [0, 1] {
+            let tip_of = |tip: Vec3| {
+                let mut joints = vec![
+                    joint(None, [0.0; 3], None),
+                    joint(Some(0), [0.0, 1.0, 0.0], Some(tip)),
+                ];
+                joints.extend(vec![joint(Some(1), [0.0, 0.5, 0.5], None); eyes]);
+                let head = [([0.5, 3.0, 0.0], 1, 1.0), ([-0.5, 3.0, 0.0], 1, 1.0)];
+                character(joints, &head).bones()[1].tip
+            };
+            assert!(tip_of(Vec3::Y * 0.2).abs_diff_eq(Vec3::Y * 2.0, 1e-6));
+            for long_or_elsewhere in [Vec3::Y * 0.3, Vec3::X * 0.2, Vec3::Y * -0.2] {
+                assert_eq!(tip_of(long_or_elsewhere), long_or_elsewhere);
+            }
         }
     }
 
