@@ -207,17 +207,19 @@ impl Diagnosis {
         }
     }
 
-    /// The same, where `mistake`, made in the way `how`, gives the mesh but for `error`, by the size.
-    pub fn explained_by(self, mistake: &'static Mistake, how: String, error: f64) -> Self {
-        let told = ToldMistake {
+    /// The same, where mistakes, each made in the way that stands with it, together give the mesh but for `error`, by the
+    /// size.
+    pub fn explained_by(self, mistakes: Vec<(&'static Mistake, String)>, error: f64) -> Self {
+        let told = mistakes.into_iter().map(|(mistake, how)| ToldMistake {
             how: how.into(),
             ..ToldMistake::whole(mistake)
-        };
+        });
+        let mistakes: Vec<ToldMistake> = told.collect();
         Self {
             verdict: Verdict::Explained,
-            causes: vec![mistake.id],
+            causes: mistakes.iter().map(|mistake| mistake.id).collect(),
             error,
-            mistakes: vec![told],
+            mistakes,
             regions: Vec::new(),
             other_pose: None,
             nearest: None,

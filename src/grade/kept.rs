@@ -2,9 +2,10 @@
 //! rest, goes on with its sums or its angles, or has B from the first pose.
 
 use crate::character::skinning::skin_positions;
-use crate::character::{Character, Pose};
+use crate::character::{Attachments, Character, Pose};
 use crate::diagnose::{
-    ANGLES_KEPT, BIND_OF_OTHER_POSE, LAST_RESULT_SKINNED, Mistake, SUM_NOT_RESET, measure,
+    self, ANGLES_KEPT, BIND_OF_OTHER_POSE, Formula, LAST_RESULT_SKINNED, Mistake, SUM_NOT_RESET,
+    measure, skin_by,
 };
 use crate::geometry::Mesh;
 use crate::math::Euler;
@@ -19,21 +20,26 @@ pub(super) static MISTAKES: [&Mistake; 4] = [
 ];
 
 /// A test of the character, of which a program may have kept something.
+#[derive(Clone, Copy)]
 pub(super) struct Posed<'a> {
     pub name: &'a str,
     pub pose: &'a Pose,
-    /// Its exact vertices, in model space.
-    pub exact: &'a [Vec3],
+    /// Its vertices, in model space, as the program has them but for what it has kept.
+    pub places: &'a [Vec3],
 }
 
-/// The mistake that gives a mesh, in words what it is made with, and by how much the mesh is off from that, by the size.
-pub(super) type Found = (&'static Mistake, String, f64);
+/// The mistakes that together give a mesh, each with words about how it is made, and by how much the mesh is off from
+/// that, by the size.
+pub(super) type Found = (Vec<(&'static Mistake, String)>, f64);
 
 /// A mistake, in words what it is made with, and where it puts the vertices.
 type Way = (&'static Mistake, String, Vec<Vec3>);
 
+/// Vertices by which it is tried whether something was kept beside another mistake.
+const SAMPLE: usize = 96;
+
 /// What has to be kept to give `theirs` in the pose of the test `own`: something of one that is `before` or `after` it,
-/// or of all before it.
+/// or of all before it; if need be beside one of the other mistakes.
 pub(super) fn find(
     character: &Character,
     own: &Posed<'_>,
@@ -41,23 +47,122 @@ pub(super) fn find(
     before: &[Posed<'_>],
     after: &[Posed<'_>],
 ) -> Option<Found> {
+    let theirs = &theirs.positions;
+    let exact = Skinning {
+        character,
+        formula: None,
+    };
+    if let Some((kept, error)) = kept_by(exact, own, theirs, before, after) {
+        return Some((vec![kept], error));
+    }
+    if before.is_empty() && after.is_empty()
+        || theirs.len() != character.attachments().vertex_count()
+    {
+        return None;
+    }
+    let step = theirs.len().div_ceil(SAMPLE);
+    let few = sampled(character, step)?;
+    let few_theirs: Vec<Vec3> = theirs.iter().copied().step_by(step).collect();
+    let readings = (diagnose::MISTAKES.iter()).flat_map(|mistake| {
+        let readings = mistake.readings.iter();
+        readings.map(move |reading| (mistake, reading))
+    });
+    let mut found = readings.filter_map(|(mistake, reading)| {
+        let mut formula = Formula::default();
+        (reading.make)(&mut formula);
+        let with_mistake = |character, theirs: &[Vec3]| {
+            let by = Skinning {
+                character,
+                formula: Some(&formula),
+            };
+            let all = [std::slice::from_ref(own), before, after].concat();
+            let places: Vec<Vec<Vec3>> = all.iter().map(|test| by.skin(test.pose)).collect();
+            let posed = all
+                .iter()
+                .zip(&places)
+                .map(|(test, places)| Posed { places, ..*test });
+            let posed: Vec<Posed> = posed.collect();
+            let (before, after) = posed[1..].split_at(before.len());
+            kept_by(by, &posed[0], theirs, before, after)
+        };
+        with_mistake(&few, &few_theirs)?;
+        let (kept, error) = with_mistake(character, theirs)?;
+        Some((vec![kept, (mistake, reading.how.to_owned())], error))
+    });
+    found.next()
+}
+
+/// What is kept with this skinning that gives `theirs`, and by how much they are off, by the size.
+fn kept_by(
+    by: Skinning<'_>,
+    own: &Posed<'_>,
+    theirs: &[Vec3],
+    before: &[Posed<'_>],
+    after: &[Posed<'_>],
+) -> Option<((&'static Mistake, String), f64)> {
     let alone = before.iter().chain(after).map(std::slice::from_ref);
     let all_before = Some(before).filter(|before| before.len() > 1);
     let mut found = alone.chain(all_before).filter_map(|tests| {
-        let kept = Kept { character, tests };
+        let kept = Kept { by, tests };
         kept.ways(own)
             .into_iter()
             .find_map(|(mistake, how, places)| {
-                let measured = measure(character, &places, &theirs.positions)?;
-                (measured.off == 0).then(|| (mistake, how, measured.worst / measured.size))
+                let measured = measure(by.character, &places, theirs)?;
+                (measured.off == 0).then(|| ((mistake, how), measured.worst / measured.size))
             })
     });
     found.next()
 }
 
+/// The character with one of `step` of its vertices, and no triangles.
+fn sampled(character: &Character, step: usize) -> Option<Character> {
+    let mut attachments = Attachments::new();
+    for influences in character.attachments().vertices().step_by(step) {
+        attachments.push_vertex(influences.iter().copied());
+    }
+    let places = character
+        .bind_mesh()
+        .positions
+        .iter()
+        .copied()
+        .step_by(step);
+    let mesh = Mesh::new(places.collect(), Vec::new());
+    Character::new(character.skeleton().clone(), attachments, mesh).ok()
+}
+
+/// How a program gets from a pose to vertices.
+#[derive(Clone, Copy)]
+struct Skinning<'a> {
+    character: &'a Character,
+    /// The formula with a mistake; `None` for the exact one.
+    formula: Option<&'a Formula>,
+}
+
+impl Skinning<'_> {
+    fn skin(self, pose: &Pose) -> Vec<Vec3> {
+        self.skin_of(self.character, pose)
+    }
+
+    /// What comes of vertices at `places` in model space instead of those at rest.
+    fn skin_again(self, places: Vec<Vec3>, pose: &Pose) -> Option<Vec<Vec3>> {
+        let character = self.character;
+        let mesh = Mesh::new(places, character.bind_mesh().triangles.clone());
+        let attachments = character.attachments().clone();
+        let placed = Character::new(character.skeleton().clone(), attachments, mesh);
+        Some(self.skin_of(&placed.ok()?, pose))
+    }
+
+    fn skin_of(self, character: &Character, pose: &Pose) -> Vec<Vec3> {
+        match self.formula {
+            Some(formula) => skin_by(character, pose, formula).positions,
+            None => character.skin_pose(pose),
+        }
+    }
+}
+
 /// Tests of which a program has kept something.
 struct Kept<'a> {
-    character: &'a Character,
+    by: Skinning<'a>,
     tests: &'a [Posed<'a>],
 }
 
@@ -65,8 +170,8 @@ impl Kept<'_> {
     /// What a program may make of it in the test `own`.
     fn ways(&self, own: &Posed<'_>) -> Vec<Way> {
         let result = format!("the result of {}", self.named(" together"));
-        let summed = self.summed(own.exact);
-        let begun = places_with(&summed, &self.character.bind_mesh().positions);
+        let summed = self.summed(own.places);
+        let begun = places_with(&summed, &self.by.character.bind_mesh().positions);
         let mut ways = vec![
             (&SUM_NOT_RESET, format!("from {result}"), summed),
             (
@@ -80,9 +185,10 @@ impl Kept<'_> {
             (&LAST_RESULT_SKINNED, how, places)
         });
         ways.extend(skinned);
-        if let [test] = self.tests {
+        if let ([test], None) = (self.tests, self.by.formula) {
             let how = format!("that of {}", test.name);
-            ways.push((&BIND_OF_OTHER_POSE, how, self.bound(test.pose, own.pose)));
+            let bound = bound(self.by.character, test.pose, own.pose);
+            ways.push((&BIND_OF_OTHER_POSE, how, bound));
         }
         let those = format!("those of {}", self.named(" together"));
         let angles: [(String, Angles); 3] = [
@@ -92,7 +198,7 @@ impl Kept<'_> {
         ];
         ways.extend(angles.into_iter().map(|(how, angles)| {
             let pose = self.posed(own.pose, angles);
-            (&ANGLES_KEPT, how, self.character.skin_pose(&pose))
+            (&ANGLES_KEPT, how, self.by.skin(&pose))
         }));
         ways
     }
@@ -110,35 +216,22 @@ impl Kept<'_> {
     fn skinned(&self, pose: &Pose) -> Option<Vec<Vec3>> {
         let (first, others) = self.tests.split_first()?;
         let mut poses = others.iter().map(|test| test.pose).chain([pose]);
-        poses.try_fold(first.exact.to_vec(), |places, pose| {
-            skinned(self.character, places, pose)
+        poses.try_fold(first.places.to_vec(), |places, pose| {
+            self.by.skin_again(places, pose)
         })
     }
 
-    /// What comes of adding the result `exact` to the others.
-    fn summed(&self, exact: &[Vec3]) -> Vec<Vec3> {
-        let others = self.tests.iter().map(|test| test.exact);
-        others.fold(exact.to_vec(), |sum, other| places_with(&sum, other))
-    }
-
-    /// What comes of `pose` where B is that of the pose `bind`.
-    fn bound(&self, bind: &Pose, pose: &Pose) -> Vec<Vec3> {
-        let skeleton = self.character.skeleton();
-        let [bind, current] =
-            [bind, pose].map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
-        let factors = current.iter().zip(&bind);
-        let palette: Vec<Mat4> = factors.map(|(t, b)| *t * b.inverse()).collect();
-        let rest = &self.character.bind_mesh().positions;
-        let mut places = rest.clone();
-        skin_positions(&palette, self.character.attachments(), rest, &mut places);
-        places
+    /// What comes of adding the result `places` to the others.
+    fn summed(&self, places: &[Vec3]) -> Vec<Vec3> {
+        let others = self.tests.iter().map(|test| test.places);
+        others.fold(places.to_vec(), |sum, other| places_with(&sum, other))
     }
 
     /// The pose that comes of `pose` where each joint has what `angles` makes of those before and of its own.
     fn posed(&self, pose: &Pose, angles: Angles) -> Pose {
         let mut posed = Pose::new();
         for test in self.tests.iter().map(|test| test.pose).chain([pose]) {
-            for joint in 0..self.character.skeleton().joints().len() {
+            for joint in 0..self.by.character.skeleton().joints().len() {
                 let rotation = angles(posed.rotation(joint), test.rotation(joint));
                 posed.set_joint_transform(joint, rotation);
                 posed.set_root_offset(joint, pose.root_offset(joint));
@@ -170,10 +263,15 @@ fn places_with(places: &[Vec3], others: &[Vec3]) -> Vec<Vec3> {
     pairs.map(|(place, other)| *place + *other).collect()
 }
 
-/// What the formula makes of vertices at `places` in model space instead of those at rest.
-fn skinned(character: &Character, places: Vec<Vec3>, pose: &Pose) -> Option<Vec<Vec3>> {
-    let mesh = Mesh::new(places, character.bind_mesh().triangles.clone());
-    let attachments = character.attachments().clone();
-    let placed = Character::new(character.skeleton().clone(), attachments, mesh);
-    Some(placed.ok()?.skin_pose(pose))
+/// What comes of `pose` where B is that of the pose `bind`.
+fn bound(character: &Character, bind: &Pose, pose: &Pose) -> Vec<Vec3> {
+    let skeleton = character.skeleton();
+    let [bind, current] =
+        [bind, pose].map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    let factors = current.iter().zip(&bind);
+    let palette: Vec<Mat4> = factors.map(|(t, b)| *t * b.inverse()).collect();
+    let rest = &character.bind_mesh().positions;
+    let mut places = rest.clone();
+    skin_positions(&palette, character.attachments(), rest, &mut places);
+    places
 }

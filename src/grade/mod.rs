@@ -14,6 +14,7 @@ mod page;
 mod report;
 mod rubric;
 mod section;
+mod silhouettes;
 mod style;
 mod terminal;
 mod test;

@@ -4,7 +4,7 @@ use super::graded::{Graded, Outcome};
 use super::mistake_section::number;
 use super::name::Name;
 use super::section::{Section, cents, in_cents, notes, points_by_section, sections};
-use super::{rubric, why};
+use super::{rubric, silhouettes, why};
 use crate::diagnose::Mistake;
 use crate::io::{RubricData, TestData, TestKind, TestsFile};
 use serde::Serialize;
@@ -113,7 +113,8 @@ impl Report {
         let sections = sections(file);
         let possible = sections.iter().filter(|section| !section.extra);
         let possible = in_cents(possible.map(|section| section.possible).sum());
-        let submissions = graded.into_iter().map(|(name, graded)| {
+        let submissions = graded.into_iter().map(|(name, mut graded)| {
+            silhouettes::settle(&file.tests, &mut graded);
             let tests: Vec<GradedTest> = file
                 .tests
                 .iter()

@@ -318,7 +318,7 @@ impl Test {
         Posed {
             name: &self.data.name,
             pose: &self.pose,
-            exact: &self.exact,
+            places: &self.exact,
         }
     }
 
@@ -339,7 +339,7 @@ impl Test {
         });
         let own = self.posed();
         match kept::find(&self.character, &own, theirs, &before, &after) {
-            Some((mistake, how, error)) => found.explained_by(mistake, how, error),
+            Some((mistakes, error)) => found.explained_by(mistakes, error),
             None => found,
         }
     }

@@ -311,6 +311,42 @@ fn angles_that_are_left_of_other_tests_are_named_with_these() {
 }
 
 #[test]
+fn what_is_kept_of_other_tests_is_named_beside_the_mistake_that_all_of_them_show() {
+    let class = Class::new(&["robot", "robot", "robot"]);
+    let shifted = with(&["weights-shifted"]);
+    let zyx = with(&["euler-zyx"]);
+    class.submit("ann", &shifted, |number| number.to_string());
+    class.submit("bob", &zyx, |number| number.to_string());
+    class.submit("cid", &shifted, |number| number.to_string());
+    let write = |student: &str, test: usize, places: &[Vec3]| {
+        let (test, figure) = &class.tests[test];
+        let text = obj(places, figure, |number| number.to_string());
+        class.write(&format!("class/{student}/{test}.obj"), text);
+    };
+    let figure = |test: usize| &class.tests[test].1;
+    let mut again = Figure::builtin("robot", |joint| figure(1).degrees[joint]);
+    again.positions = shifted.skin(figure(0));
+    write("ann", 1, &shifted.skin(&again));
+    let sum: Vec<Vec3> = (zyx.skin(figure(0)).iter().zip(zyx.skin(figure(1))))
+        .map(|(before, own)| *before + own)
+        .collect();
+    write("bob", 1, &sum);
+    let degrees = |joint: usize| (0..3).map(|test| figure(test).degrees[joint]).sum();
+    write("cid", 2, &shifted.skin(&Figure::builtin("robot", degrees)));
+    let report = class.graded();
+    for (student, test, ids) in [
+        ("ann", "robot-2", ["last-result-skinned", "weights-shifted"]),
+        ("bob", "robot-2", ["sum-not-reset", "euler-zyx"]),
+        ("cid", "robot-3", ["angles-kept", "weights-shifted"]),
+    ] {
+        let found = result(&report, student, test);
+        assert_eq!(found["causes"], json!([ids]), "{found}");
+    }
+    let told = result(&report, "ann", "robot-1")["causes"].clone();
+    assert_eq!(told, json!([["weights-shifted"]]));
+}
+
+#[test]
 fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     let class = class();
     class.graded();
