@@ -162,12 +162,11 @@ impl Diagnosis {
         found.extend(self.coarse.map(|coarse| coarse.to_string()));
         if let Some(same) = self.faces.same {
             found.push(format!(
-                "of its triangles {same} are the model's: it may be of another model, or have its vertices in another order"
+                "only {same} of its triangles are the model's: it may be of another model, or have its vertices in another order"
             ));
         }
         if self.nearly_right() == Some(NearlyRight::ButForFew) {
-            let vertices = if self.off == 1 { "vertex" } else { "vertices" };
-            found.push(format!("all but {} {vertices} are right", self.off));
+            found.push(format!("all but {} of its vertices are right", self.off));
         }
         found
     }

@@ -113,7 +113,7 @@ impl Purpose {
             Self::SaveScreenshot(_) => "Save Screenshot",
             Self::Compare => "Compare with Picture",
             Self::CompareMesh(_) => {
-                "Compare with Mesh (.obj, as another program posed the character)"
+                "Compare with Mesh (.obj or .txt, as another program posed the character)"
             }
             Self::SaveComparison => "Save Comparison",
             Self::SavePose(..) => "Save Pose",
@@ -131,10 +131,10 @@ impl Purpose {
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
-            Self::ExportGeometry
-            | Self::ExportSelected
-            | Self::ExportMaterials
-            | Self::CompareMesh(_) => "Geometry (.obj)",
+            Self::ExportGeometry | Self::ExportSelected | Self::ExportMaterials => {
+                "Geometry (.obj)"
+            }
+            Self::CompareMesh(_) => "Meshes (.obj, .txt)",
             Self::ExportCharacter(_) => "Skeletons (.skel)",
             Self::SaveScreenshot(shot) if shot.turntable.is_some() => "Animations (.gif)",
             Self::SaveScreenshot(shot) if shot.transparent => "Pictures (.png)",
@@ -252,10 +252,8 @@ impl Purpose {
             Self::FindSource(_) => &["obj", "dae", "swp"],
             Self::SaveScene => &["scene"],
             Self::ImportShape | Self::ImportCharacter => &["obj", "dae"],
-            Self::ExportGeometry
-            | Self::ExportSelected
-            | Self::ExportMaterials
-            | Self::CompareMesh(_) => &["obj"],
+            Self::ExportGeometry | Self::ExportSelected | Self::ExportMaterials => &["obj"],
+            Self::CompareMesh(_) => &["obj", "txt"],
             Self::ExportCharacter(_) => &["skel"],
             Self::SavePose(..) | Self::LoadPose(_) => &["json"],
             Self::ImportCurve | Self::ExportCurve(_) => &["swp"],
@@ -313,7 +311,7 @@ mod tests {
         );
         assert_eq!(
             offered(Purpose::CompareMesh(ShapeId(1))),
-            ["man.obj", "cup.obj", "tube.obj"]
+            ["man.obj", "cup.obj", "a.txt", "tube.obj"]
         );
         assert_eq!(offered(Purpose::LoadPose(ShapeId(1))), ["a.json"]);
         assert_eq!(offered(Purpose::SavePose(ShapeId(1), None)), ["a.json"]);

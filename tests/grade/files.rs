@@ -141,7 +141,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         (
             "ida",
             "unexplained",
-            "nearly right: all but 1 vertex are right",
+            "nearly right: all but 1 of its vertices are right",
         ),
         (
             "jan",
