@@ -23,6 +23,16 @@ pub(super) static TRIANGLES_DIFFER: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in the number of vertices, which is found beside every other one.
+pub(super) static VERTEX_TOO_MANY: Mistake = Mistake {
+    id: "vertex-too-many",
+    meaning: "there is one vertex more than the model has",
+    section: MESH,
+    look_at: "where the .obj file is read: a loop until eof() goes on once more after the last line, with what it has \
+              read before; and whether there is an element before the first",
+    readings: &[],
+};
+
 /// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
 pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
     id: "one-wrong-parent",
@@ -358,9 +368,10 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 14] = [
 ];
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 26] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 27] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
+    &VERTEX_TOO_MANY,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
     &ROOT_ROTATED_FIRST,

@@ -5,6 +5,7 @@
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
+mod extra_vertex;
 mod faces;
 mod findings;
 mod formula;
@@ -55,6 +56,7 @@ use crate::character::{Character, Pose};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
 use crate::steps::{Pace, at_once};
+use extra_vertex::Extra;
 use findings::Findings;
 use glam::{DVec3, Vec3};
 use model::Model;
@@ -98,7 +100,9 @@ pub enum DiagnoseError {
 
 /// Whether a mesh of `vertices` vertices may be one of `character`, or of what importers make of it.
 pub fn may_be_of(character: &Character, vertices: usize) -> bool {
-    order_of(&Model::new(character), vertices).is_some()
+    let model = Model::new(character);
+    let mut extra = Extra::places(model.positions.len(), vertices);
+    order_of(&model, vertices).is_some() || extra.next().is_some()
 }
 
 /// Finds out which mistake gives the vertices of `theirs`, in model space, instead of those of
@@ -122,9 +126,25 @@ async fn diagnose_by(
     pace: Rc<Pace>,
 ) -> Result<Diagnosis, DiagnoseError> {
     let model = Model::new(character);
-    let mut found = diagnose_vertices(&model, pose, &theirs.positions, &pace).await?;
-    found.judge(FaceDifference::find(&model, &found, theirs, &pace).await);
-    Ok(found)
+    let vertices = &theirs.positions;
+    let found = diagnose_vertices(&model, pose, vertices, &pace).await;
+    let error = match found {
+        Ok(mut found) => {
+            found.judge(FaceDifference::find(&model, &found, theirs, &pace).await);
+            return Ok(found);
+        }
+        Err(error) => error,
+    };
+    for extra in Extra::places(model.positions.len(), vertices.len()) {
+        let mut others = diagnose_vertices(&model, pose, extra.without(vertices), &pace).await?;
+        if extra == Extra::AfterLast {
+            others.judge(FaceDifference::find(&model, &others, theirs, &pace).await);
+        }
+        if let Some(found) = extra.added_to(others) {
+            return Ok(found);
+        }
+    }
+    Err(error)
 }
 
 /// The diagnosis of vertices, whose faces are not known yet.

@@ -146,7 +146,10 @@ impl Test {
         warnings.extend(no_numbers.as_ref().map(|found| found.told(&name)));
         let places = &theirs.positions;
         if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
-            return Graded::without(Outcome::Blank, "all vertices are in one place");
+            return Graded::without(
+                Outcome::Blank,
+                "all vertices are in one place: are the weights read as whole numbers, which are 0?",
+            );
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {

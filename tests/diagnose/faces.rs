@@ -4,7 +4,8 @@ use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, with};
 use editor_core::character::Pose;
-use editor_core::diagnose::{Diagnosis, FaceDifference, Verdict, diagnose};
+use editor_core::diagnose::{DiagnoseError, Diagnosis, FaceDifference, Verdict, diagnose};
+use editor_core::geometry::Mesh;
 use editor_core::io::{read_character_obj, read_posed_vertices};
 use editor_core::math::Euler;
 use glam::Vec3;
@@ -217,5 +218,43 @@ fn faces_that_count_from_0_or_from_2_are_one_mistake_though_some_are_by_chance_t
             assert_eq!(found.verdict, Verdict::Triangles, "{name}: {found}");
             assert_eq!(found.causes, ["triangles-differ"], "{name}: {found}");
         }
+    }
+}
+
+#[test]
+fn one_vertex_too_many_is_named_beside_what_the_others_are() {
+    let figure = Figure::builtin("adult", turned(90));
+    for (ids, section) in [(&[][..], 0), (&["euler-zyx"], 1), (&["factors-swapped"], 1)] {
+        let places = with(ids).skin(&figure);
+        for (how, extra) in [("after the last", places.len()), ("before the first", 0)] {
+            let mut theirs = places.clone();
+            let doubled = if extra == 0 {
+                Vec3::ZERO
+            } else {
+                places[extra - 1]
+            };
+            theirs.insert(extra, doubled);
+            let mesh = Mesh::new(theirs, figure.triangles.clone());
+            let found = diagnose(&figure.character, &figure.pose(), &mesh).unwrap();
+            assert_eq!(found.verdict, Verdict::Explained, "{found}");
+            let expected: Vec<&str> = ids.iter().copied().chain(["vertex-too-many"]).collect();
+            assert_eq!(found.together(), expected, "{found}");
+            let told = &found.mistakes[section];
+            assert_eq!((&*told.how, told.section), (how, "4.1 Mesh"));
+        }
+    }
+    // Two, or one beside what nothing explains.
+    let two = [&RIGHT.skin(&figure)[..], &[Vec3::ZERO; 2]].concat();
+    let noise = figure
+        .positions
+        .iter()
+        .map(|at| Vec3::new(at.y, at.x * at.z, 1.0));
+    let noise: Vec<Vec3> = noise.chain([Vec3::ZERO]).collect();
+    for theirs in [two, noise] {
+        let found = theirs.len();
+        let mesh = Mesh::new(theirs, Vec::new());
+        let error = diagnose(&figure.character, &figure.pose(), &mesh).unwrap_err();
+        let expected = figure.positions.len();
+        assert_eq!(error, DiagnoseError::Vertices { expected, found });
     }
 }
