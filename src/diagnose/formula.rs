@@ -62,6 +62,8 @@ pub struct JointFormula {
     pub order: [usize; 3],
     /// Whether the rotation is transposed, which turns it the other way.
     pub is_transposed: bool,
+    /// How many times it is multiplied on.
+    pub times: usize,
     /// Whether it is R · T instead of T · R.
     pub rotates_first: bool,
     /// Whether that is so at roots, also where it is not at other joints.
@@ -149,6 +151,10 @@ pub enum Chain {
     OwnParent,
     /// own.
     Own,
+    /// parent's own · own, without those above.
+    ParentsOwn,
+    /// parent · own, where what is handed down is without rotations.
+    WithoutRotations,
 }
 
 /// What moves a vertex in the space of the bind pose.
@@ -172,6 +178,10 @@ pub enum Factors {
     InverseBindTransposed,
     /// T · Bᵀ.
     BindTransposed,
+    /// T⁻¹ · B.
+    InverseOfCurrent,
+    /// B · T⁻¹.
+    InverseOfCurrentFirst,
     /// Nothing: vertices stay as they are in the file.
     Nothing,
 }
@@ -191,6 +201,8 @@ pub enum Factor {
     InverseBindTransposed,
     /// Bᵀ.
     BindTransposed,
+    /// T⁻¹.
+    InverseCurrent,
 }
 
 impl Factors {
@@ -207,6 +219,8 @@ impl Factors {
             Self::CurrentTransposed => &[Factor::InverseBind, Factor::CurrentTransposed],
             Self::InverseBindTransposed => &[Factor::InverseBindTransposed, Factor::Current],
             Self::BindTransposed => &[Factor::BindTransposed, Factor::Current],
+            Self::InverseOfCurrent => &[Factor::Bind, Factor::InverseCurrent],
+            Self::InverseOfCurrentFirst => &[Factor::InverseCurrent, Factor::Bind],
             Self::Nothing => &[],
         }
     }
@@ -388,6 +402,7 @@ impl Default for Formula {
                 units: AngleUnits::Radians,
                 order: [0, 1, 2],
                 is_transposed: false,
+                times: 1,
                 rotates_first: false,
                 roots_rotate_first: false,
                 offsets: Offsets::All,

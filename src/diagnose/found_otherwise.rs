@@ -1,7 +1,7 @@
 //! Mistakes that are found otherwise than by making each in every way, and beside every other: in the faces of a mesh,
 //! and those that are hardly made beside another one.
 
-use super::formula::{AnglesOf, Columns, Kept, Offsets, Rescaled, Rounded};
+use super::formula::{AnglesOf, Chain, Columns, Factors, Kept, Offsets, Rescaled, Rounded};
 use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
@@ -243,6 +243,62 @@ pub(super) static ROTATION_OF_CHILDREN_ONLY: Mistake = Mistake {
     })],
 };
 
+/// A mistake in what the recursion over the joints hands down.
+pub(super) static ABOVE_PARENTS_MISSING: Mistake = Mistake {
+    id: "above-parents-missing",
+    meaning: "a joint's transform has that of its parent, but not of those above the parent",
+    section: SKELETON,
+    look_at: "the recursion over the joints: it hands down the product so far, and not the joint's own transform",
+    readings: &[
+        reading("in T and in B", |formula| {
+            formula.chain = Chain::ParentsOwn;
+            formula.bind_chain = Chain::ParentsOwn;
+        }),
+        reading("in T", |formula| formula.chain = Chain::ParentsOwn),
+    ],
+};
+
+/// Another one in that.
+pub(super) static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
+    id: "parents-rotations-missing",
+    meaning: "a joint follows the offsets of those above it, but not their rotations",
+    section: SKELETON,
+    look_at: "the recursion over the joints: what is pushed on the matrix stack has the joint's rotation, too",
+    readings: &[reading("", |formula| {
+        formula.chain = Chain::WithoutRotations
+    })],
+};
+
+/// A mistake in what is inverted.
+pub(super) static WRONG_INVERSE: Mistake = Mistake {
+    id: "wrong-inverse",
+    meaning: "T is inverted instead of B",
+    section: SSD,
+    look_at: "whether both are what their names say: currentJointToWorldTransform is T, bindWorldToJointTransform is the \
+              inverse of B",
+    readings: &[
+        reading("T⁻¹ · B", |formula| {
+            formula.factors = Factors::InverseOfCurrent
+        }),
+        reading("B · T⁻¹", |formula| {
+            formula.factors = Factors::InverseOfCurrentFirst;
+        }),
+    ],
+};
+
+/// A mistake in how often rotations are made.
+pub(super) static ROTATION_REPEATED: Mistake = Mistake {
+    id: "rotation-repeated",
+    meaning: "the rotation of each joint is multiplied on more than once",
+    section: SLIDERS,
+    look_at: "setJointTransform: it sets the joint's transform anew (=) instead of multiplying it on (*=), however often \
+              it runs",
+    readings: &[
+        reading("twice", |formula| formula.joint.times = 2),
+        reading("three times", |formula| formula.joint.times = 3),
+    ],
+};
+
 /// A mistake in which weights are used, of which programs make that with four most often: see `influences-cut-4`.
 pub(super) static INFLUENCES_CUT_FEWER: Mistake = Mistake {
     id: "influences-cut-fewer",
@@ -350,7 +406,7 @@ pub(super) static ANGLES_SCALED: Mistake = Mistake {
 };
 
 /// Those of a whole program that are made in few ways, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 14] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 18] = [
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &STACK_NOT_POPPED,
@@ -365,10 +421,14 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 14] = [
     &INFLUENCES_CUT_FEWER,
     &WEIGHTS_ROUNDED,
     &SMALL_WEIGHTS_LEFT_OUT,
+    &ABOVE_PARENTS_MISSING,
+    &PARENTS_ROTATIONS_MISSING,
+    &WRONG_INVERSE,
+    &ROTATION_REPEATED,
 ];
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 27] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 31] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
@@ -394,6 +454,10 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 27] = [
     &INFLUENCES_CUT_FEWER,
     &WEIGHTS_ROUNDED,
     &SMALL_WEIGHTS_LEFT_OUT,
+    &ABOVE_PARENTS_MISSING,
+    &PARENTS_ROTATIONS_MISSING,
+    &WRONG_INVERSE,
+    &ROTATION_REPEATED,
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
 ];

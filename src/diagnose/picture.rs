@@ -98,8 +98,13 @@ pub fn diagnose_picture(
     }
     if least(&singles) <= TOLERANCE {
         found.explain(&singles);
-    } else {
+        return Ok(found);
+    }
+    let of_whole = search.of_whole_program(TOLERANCE);
+    if of_whole.is_empty() {
         found.explain(&search.pairs(&singles, TOLERANCE));
+    } else {
+        found.explain(&of_whole);
     }
     Ok(found)
 }

@@ -2,7 +2,7 @@
 
 use super::formula::{Formula, VertexOrder};
 use super::model::Model;
-use super::search::{Explanation, Made, formula, pairs_of_ways, ways};
+use super::search::{Explanation, Made, formula, pairs_of_ways, ways, ways_of_whole_program};
 use super::silhouette::{Samples, Silhouette};
 use super::skin::Skinner;
 use crate::character::Pose;
@@ -110,6 +110,19 @@ impl<'a> PictureSearch<'a> {
             }
         })
         .collect()
+    }
+
+    /// The mistakes of a whole program that leave no more than `enough` by themselves.
+    pub(super) fn of_whole_program(&self, enough: f64) -> Vec<Explanation> {
+        let seen = ways_of_whole_program().filter_map(|made| {
+            let error = self.error_if_small(&formula(&[made]))?;
+            (error <= enough).then_some(Explanation {
+                made: vec![made],
+                error,
+                how: None,
+            })
+        });
+        seen.collect()
     }
 
     /// Every two mistakes that leave no more than `enough`, the one that leaves less by itself first.

@@ -286,13 +286,18 @@ fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
     (!is_one).then_some((first, second, both))
 }
 
-/// Every two ways of which one is that of a mistake that is sought alone first, with the formula that has both.
-fn pairs_with_whole_program() -> impl Iterator<Item = (Made, Made, Formula)> {
+/// Every way to make a mistake that is sought alone first.
+pub(super) fn ways_of_whole_program() -> impl Iterator<Item = Made> {
     let of_whole = OF_WHOLE_PROGRAM.into_iter().chain([&JOINT_LEFT_OUT]);
-    let firsts = of_whole.flat_map(|mistake| {
+    of_whole.flat_map(|mistake| {
         let readings = mistake.readings.iter();
         readings.map(move |reading| Made { mistake, reading })
-    });
+    })
+}
+
+/// Every two ways of which one is that of a mistake that is sought alone first, with the formula that has both.
+fn pairs_with_whole_program() -> impl Iterator<Item = (Made, Made, Formula)> {
+    let firsts = ways_of_whole_program();
     firsts.flat_map(|first| ways().filter_map(move |second| made_together(first, second)))
 }
 

@@ -283,6 +283,7 @@ impl Joints {
             Factor::InverseBind => bind.inverse().into(),
             Factor::CurrentTransposed => DMat4::from(current).transpose(),
             Factor::BindTransposed => DMat4::from(bind).transpose(),
+            Factor::InverseCurrent => current.inverse().into(),
             Factor::InverseBindTransposed => DMat4::from(bind.inverse()).transpose(),
         }
     }
@@ -365,12 +366,20 @@ impl Tree {
     fn chained(&self, chain: Chain, own: impl Fn(usize) -> DAffine3) -> Vec<DAffine3> {
         let mut model_from_joint = vec![DAffine3::IDENTITY; self.parents.len()];
         for &joint in &self.order {
-            let parent = self.parents[joint].map(|parent| model_from_joint[parent]);
-            let own = own(joint);
-            model_from_joint[joint] = match (chain, parent) {
-                (Chain::Own, _) | (_, None) => own,
-                (Chain::ParentOwn, Some(parent)) => parent * own,
-                (Chain::OwnParent, Some(parent)) => own * parent,
+            let of_joint = own(joint);
+            let Some(parent) = self.parents[joint] else {
+                model_from_joint[joint] = of_joint;
+                continue;
+            };
+            let model_from_parent = model_from_joint[parent];
+            model_from_joint[joint] = match chain {
+                Chain::Own => of_joint,
+                Chain::ParentOwn => model_from_parent * of_joint,
+                Chain::OwnParent => of_joint * model_from_parent,
+                Chain::ParentsOwn => own(parent) * of_joint,
+                Chain::WithoutRotations => {
+                    DAffine3::from_translation(model_from_parent.translation) * of_joint
+                }
             };
         }
         model_from_joint
@@ -396,6 +405,7 @@ impl JointFormula {
         if self.is_transposed {
             rotation = rotation.transpose();
         }
+        let rotation: DMat3 = std::iter::repeat_n(rotation, self.times).product();
         DAffine3 {
             matrix3: rotation,
             translation: if rotates_first {

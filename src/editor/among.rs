@@ -183,24 +183,24 @@ pub fn set_beside_each_other(
     placed
 }
 
-/// Places a new shape beside the figures in which it would be hidden, and lifts it onto their ground if a part of it
-/// or of its control points would be below. Only if the view shows a ground: elsewhere it is where the course's
-/// editor has it.
-pub fn set_beside_figures(session: &Session, shape: &mut NewShape) {
-    let Some(ground) = ground_of_characters(session).filter(|_| session.view().has_ground()) else {
+/// Places a new shape beside the others in which it would be hidden, and lifts it onto the ground of figures if a part of
+/// it or of its control points would be below. A curve is placed beside figures alone: it may belong to other curves. Only
+/// if the view shows a ground: elsewhere it is where the course's editor has it.
+pub fn set_beside_others(session: &Session, shape: &mut NewShape) {
+    if !session.view().has_ground() {
         return;
-    };
-    let lowest = lowest_point(shape);
-    let up = (ground - lowest).max(0.0);
+    }
+    let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_point(shape));
+    let up = up.max(0.0);
     let mut by = Vec3::Y * if up.is_finite() { up } else { 0.0 };
     let mut bounds = bounds_of(std::slice::from_ref(shape));
+    let mut others = standing(session);
     if matches!(shape.kind, ShapeKind::Curve(_)) {
         bounds = body_of(&bounds);
+        others.retain(|other| other.is_figure);
     }
     let lifted = moved(&bounds, by);
-    let mut figures = standing(session);
-    figures.retain(|other| other.is_figure);
-    by += way_out(&lifted, &figures, Vec3::X);
+    by += way_out(&lifted, &others, Vec3::X);
     for placement in [&mut shape.placement, &mut shape.start] {
         placement.transform.position += by;
     }

@@ -26,7 +26,7 @@ mod swing;
 
 pub use among::{
     bounds_of, is_deep, kept_on_ground, lift_onto_ground, set_among, set_beside_each_other,
-    set_beside_figures,
+    set_beside_others,
 };
 pub use apply::{Change, EditError, apply};
 pub use constraint::Constraint;
@@ -58,7 +58,7 @@ pub enum Tool {
     Select,
     /// Turns the bone under the pointer ([`BoneDrag`]), or by a ring of its gizmo ([`RingDrag`]).
     Pose,
-    /// Moves the shape under the pointer, or the root above the bone, if it shows or a joint of its character is selected
+    /// Moves the shape under the pointer, or the root above the bone, if it shows or that root is selected
     /// ([`MoveDrag`]).
     Move,
     /// Turns the selected shapes by the rings of a gizmo ([`ShapeTurn`]).

@@ -183,8 +183,9 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     state.compares = [input.compare.is_some(), input.compare_mesh.is_some()];
     popups::close_by_press_outside(&ctx, state.menu_titles);
     pointing::notice(&ctx, state.has_fingers_first);
+    let mut turns_freely = false;
     if !input.keys_are_taken {
-        posing::take_keys(&ctx, &mut state.pose);
+        turns_freely = posing::take_keys(&ctx, &mut state.pose);
         box_select::cancel_by_esc(&ctx, &mut state.box_select);
     }
     let holding = is_holding(&ctx);
@@ -193,6 +194,9 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let in_drag = dragging || reorders || state.gesture_under_way();
     let in_dialog = popups::leave_to_dialog(&ctx, state, input);
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
+    if turns_freely {
+        actions.push(Action::View(View::Tell(NO_TRACKBALL)));
+    }
     let keys_taken = input.keys_are_taken
         || in_drag
         || state.is_beginning()
@@ -332,6 +336,8 @@ fn is_holding(ctx: &egui::Context) -> bool {
         input.pointer.any_down() || arrows.iter().any(|key| input.keys_down.contains(key))
     })
 }
+
+const NO_TRACKBALL: &str = "There is no trackball rotation: X, Y and Z turn about an axis, pressed again about a local one";
 
 /// Makes edits of the panels that belong together a gesture: number fields say when their drags
 /// begin and end; all else that edits while a button or an arrow key is held, such as a choice of

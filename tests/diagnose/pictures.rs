@@ -1,8 +1,9 @@
 //! Pictures of mistakes: the student's mesh, drawn as a shape.
 
-use crate::diagnose::figures::{Figure, turned};
-use crate::diagnose::student::with;
+use crate::diagnose::figures::{Figure, obj, turned};
+use crate::diagnose::student::{RIGHT, Student, with};
 use crate::program::{Ran, editor_in};
+use glam::Vec3;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::fs;
@@ -25,6 +26,17 @@ fn folder(figure: &Figure, ids: &[&str]) -> TempDir {
         .collect();
     let pose = json!({ "joints": joints }).to_string();
     fs::write(folder.path().join("pose.json"), pose).unwrap();
+    folder
+}
+
+/// A folder with `theirs.obj`, which has its vertices at `places`, and the pose of `figure`.
+fn folder_with(figure: &Figure, places: &[Vec3]) -> TempDir {
+    let folder = folder(figure, &[]);
+    fs::write(
+        folder.path().join("theirs.obj"),
+        obj(places, figure, |number| number.to_string()),
+    )
+    .unwrap();
     folder
 }
 
@@ -194,4 +206,30 @@ fn a_picture_of_nothing_and_one_of_another_camera_s_options_are_errors() {
         "{}",
         ran.err
     );
+}
+
+#[test]
+fn a_mistake_of_the_whole_program_is_named_in_a_picture_too() {
+    let figure = Figure::builtin("adult", turned(87));
+    let wrong_inverse = Student {
+        product: |t, b| t.inverse() * b,
+        ..RIGHT
+    };
+    let repeated = Student {
+        keep_rotation: |r| r * r,
+        ..RIGHT
+    };
+    let begun = RIGHT.skin(&figure).into_iter().zip(&figure.positions);
+    let begun: Vec<Vec3> = begun.map(|(sum, rest)| sum + *rest).collect();
+    for (places, id) in [
+        (repeated.skin(&figure), "rotation-repeated"),
+        (wrong_inverse.skin(&figure), "wrong-inverse"),
+        (begun, "sum-begun-at-rest"),
+    ] {
+        let folder = folder_with(&figure, &places);
+        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,6", "");
+        assert_eq!(found["verdict"], "explained", "{id}: {found}");
+        let causes = found["causes"].as_array().unwrap();
+        assert!(causes.contains(&json!(id)), "{id}: {found}");
+    }
 }

@@ -222,6 +222,91 @@ fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
     assert_named(&found, "rotation-of-children-only", "");
 }
 
+/// The transforms of the joints of a figure relative to their parents, in its pose and at rest.
+fn own_transforms(figure: &Figure) -> [Vec<Mat4>; 2] {
+    let pose = figure.pose();
+    let own = |joint: usize, turned: bool| {
+        let rotation = Mat4::from_mat3(pose.rotation(joint).to_mat3());
+        let offset = Mat4::from_translation(figure.offsets[joint]);
+        if turned { offset * rotation } else { offset }
+    };
+    let joints = 0..figure.parents.len();
+    [true, false].map(|turned| joints.clone().map(|joint| own(joint, turned)).collect())
+}
+
+/// What is found out about the mesh that `moved_by` gives, which moves vertices by what it has for each joint.
+fn moved_by(figure: &Figure, moved_by: impl Fn(usize) -> Mat4) -> Diagnosis {
+    let palette: Vec<Mat4> = (0..figure.parents.len()).map(moved_by).collect();
+    let rest = &figure.positions;
+    let mut skinned = rest.clone();
+    skin_positions(&palette, figure.character.attachments(), rest, &mut skinned);
+    figure.diagnose(&written(&skinned, 6))
+}
+
+#[test]
+fn transforms_of_which_joints_get_only_a_part_from_those_above_are_named() {
+    let figure = Figure::builtin("adult", turned(84));
+    let [own, own_at_rest] = own_transforms(&figure);
+    let skeleton = figure.character.skeleton();
+    let b = skeleton.update_current_joint_to_world_transforms(&Pose::new());
+    let of_parent = |own: &[Mat4], joint: usize| match figure.parents[joint] {
+        Some(parent) => own[parent] * own[joint],
+        None => own[joint],
+    };
+    let found = moved_by(&figure, |joint| of_parent(&own, joint) * b[joint].inverse());
+    assert_named(&found, "above-parents-missing", "in T");
+    let found = moved_by(&figure, |joint| {
+        of_parent(&own, joint) * of_parent(&own_at_rest, joint).inverse()
+    });
+    assert_named(&found, "above-parents-missing", "in T and in B");
+    let found = moved_by(&figure, |joint| {
+        let above = figure.parents[joint].map_or(Mat4::IDENTITY, |parent| b[parent]);
+        above * own[joint] * b[joint].inverse()
+    });
+    assert_named(&found, "parents-rotations-missing", "");
+    assert_eq!(found.mistakes[0].section, "3.2 Skeleton");
+}
+
+#[test]
+fn the_inverse_of_the_wrong_matrix_is_named_with_the_product() {
+    let figure = Figure::builtin("adult", turned(85));
+    let of_product = |product: fn(Mat4, Mat4) -> Mat4| {
+        let found = Student { product, ..RIGHT }.skin(&figure);
+        figure.diagnose(&written(&found, 6))
+    };
+    assert_named(
+        &of_product(|t, b| t.inverse() * b),
+        "wrong-inverse",
+        "T⁻¹ · B",
+    );
+    assert_named(
+        &of_product(|t, b| b * t.inverse()),
+        "wrong-inverse",
+        "B · T⁻¹",
+    );
+}
+
+#[test]
+fn rotations_that_are_multiplied_on_twice_or_three_times_are_named() {
+    let times = |keep_rotation: fn(Mat4) -> Mat4, student: Student| {
+        let student = Student {
+            keep_rotation,
+            ..student
+        };
+        of(&student, 86)
+    };
+    assert_named(&times(|r| r * r, RIGHT), "rotation-repeated", "twice");
+    assert_named(
+        &times(|r| r * r * r, RIGHT),
+        "rotation-repeated",
+        "three times",
+    );
+    let found = times(|r| r * r, with(&["weights-shifted"]));
+    let mut causes = found.together();
+    causes.sort_unstable();
+    assert_eq!(causes, ["rotation-repeated", "weights-shifted"], "{found}");
+}
+
 #[test]
 fn fewer_weights_than_four_are_named_with_their_number() {
     fn largest(mut weights: Vec<(usize, f32)>, most: usize) -> Vec<(usize, f32)> {

@@ -307,3 +307,76 @@ fn the_key_that_enters_posing_leaves_it_again() {
         assert_eq!(is_on, Some(egui::accesskit::Toggled::True), "{tool}");
     }
 }
+
+#[test]
+fn with_a_root_at_hand_alt_g_and_alt_r_put_back_its_offset_and_its_angles_each_alone() {
+    let mut editor = in_blender(Editor::with_figure());
+    let shape = editor.shape().id;
+    editor.edit(Edit::SetTransform(shape, elsewhere()));
+    editor.key(Key::J);
+    let pose = |editor: &Editor| {
+        let pose = editor.character().pose();
+        (pose.rotation(0).degrees().round(), pose.root_offset(0))
+    };
+    let (angles, offset) = (Vec3::new(10.0, 20.0, 30.0), Vec3::new(0.5, 0.25, 0.0));
+    let mut back = |key: Key| {
+        editor.edit(Edit::SetJointTransform {
+            shape,
+            joint: 0,
+            rotation: Euler::from_degrees(angles),
+        });
+        editor.edit(Edit::SetRootOffset {
+            shape,
+            root: 0,
+            offset,
+        });
+        editor.view(View::SelectJoint(Some(0)));
+        editor.key_with(ALT, key);
+        assert_eq!(editor.place_of(0), elsewhere(), "the character stays");
+        pose(&editor)
+    };
+    assert_eq!(back(Key::G), (angles, Vec3::ZERO));
+    assert_eq!(back(Key::R), (Vec3::ZERO, offset));
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.key_with(ALT, Key::G);
+    let told = editor.last_told().expect("a message");
+    assert!(told.contains("Only roots have an offset"), "{told}");
+}
+
+#[test]
+fn with_bones_at_hand_the_key_that_fits_fits_these() {
+    let mut editor = in_blender(Editor::with_figure());
+    let whole = {
+        editor.choose(&["View", "Fit to View"]);
+        editor.session().view().camera
+    };
+    editor.key(Key::J);
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.choose(&["View", "Fit to View"]);
+    let close = editor.session().view().camera;
+    assert!(close.radius < 0.5 * whole.radius, "{close:?} {whole:?}");
+    let (start, end) = editor.bone(NECK);
+    assert!(
+        close.target.abs_diff_eq(start.midpoint(end), 1e-3),
+        "{close:?}"
+    );
+    editor.view(View::SelectJoint(None));
+    editor.choose(&["View", "Fit to View"]);
+    assert_eq!(editor.session().view().camera, whole);
+}
+
+#[test]
+fn r_pressed_twice_says_that_there_is_no_trackball() {
+    let mut editor = in_blender(Editor::with_figure());
+    editor.harness.state_mut().gestures = true;
+    editor.key(Key::J);
+    let at = editor.on_bone(NECK);
+    editor.click_at(at);
+    editor.key(Key::R);
+    assert_eq!(editor.last_told(), None);
+    editor.key(Key::R);
+    let told = editor.last_told().expect("a message");
+    assert!(told.contains("no trackball"), "{told}");
+    editor.key(Key::Escape);
+    assert!(editor.character().pose().is_bind());
+}

@@ -119,6 +119,7 @@ fn everything_that_would_lose_unsaved_work_asks_first() {
                 story.wait(2.0);
             }
             story.press_escape();
+            story.wait(0.6);
             story.press_escape();
             story.settle();
         }),

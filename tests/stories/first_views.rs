@@ -76,6 +76,25 @@ fn what_is_inserted_beside_a_figure_stands_on_its_ground_and_all_of_it_is_seen()
 }
 
 #[test]
+fn shapes_that_are_inserted_one_after_the_other_stand_beside_each_other_unless_the_look_is_the_course_s()
+ {
+    for (look, is_apart) in [(Key::F3, true), (Key::F2, false)] {
+        let mut story = Story::start(&[]);
+        story.key(look);
+        for key in [Key::C, Key::S, Key::P] {
+            story.key_with(Modifiers::SHIFT, key);
+        }
+        let shapes = story.session().scene().shapes().iter();
+        let places: Vec<f32> = shapes
+            .map(|shape| shape.placement.transform.position.x)
+            .collect();
+        let are_apart = places.windows(2).all(|pair| pair[1] > pair[0] + 0.9);
+        assert_eq!(are_apart, is_apart, "{places:?}");
+        assert!(is_apart || places == [0.0; 3], "{places:?}");
+    }
+}
+
+#[test]
 fn a_figure_that_is_inserted_stands_on_the_ground_of_the_shapes_that_are_there() {
     let mut story = Story::start(&["builtin:gear"]);
     let lowest = |story: &Story, at: usize| {

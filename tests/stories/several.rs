@@ -10,12 +10,15 @@ use glam::Vec3;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 
-/// A cube, a sphere and a pyramid, in this order, the last of them selected.
+/// A cube, a sphere and a pyramid in one place, in this order, the last of them selected.
 fn with_three() -> Story {
     let mut story = Story::start(&[]);
+    // In the Studio look they would stand beside each other.
+    story.key(Key::F2);
     for key in [Key::C, Key::S, Key::P] {
         story.key_with(Modifiers::SHIFT, key);
     }
+    story.key(Key::F3);
     assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"]);
     story
 }

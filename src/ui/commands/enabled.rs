@@ -9,9 +9,11 @@ use super::sweep::sweep;
 use super::table::is_in;
 use super::{Command, Menu};
 use crate::editor::{Session, Tool, root_of};
+use crate::math::Euler;
 use crate::scene::{Look, Shape, ShapeKind};
 use crate::ui::state::UiState;
 use crate::ui::{control_points, posing};
+use glam::Vec3;
 
 /// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
 pub(in crate::ui) fn why_disabled(
@@ -158,10 +160,31 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
     };
     let pose = character.pose();
     let joints = session.selected_joints();
+    let roots = character.character.skeleton().roots();
     match command {
         Command::ResetJoint if joints.is_empty() => Some("No joint is selected"),
         Command::ResetJoint if !joints.iter().any(|&joint| pose.is_changed(joint)) => {
-            Some("The joint is at rest")
+            Some("The joint is at rest. Esc deselects it; then this is about the character")
+        }
+        Command::ResetAngles | Command::ResetOffset if joints.is_empty() => {
+            Some("No joint is selected")
+        }
+        Command::ResetAngles
+            if joints
+                .iter()
+                .all(|&joint| pose.rotation(joint) == Euler::ZERO) =>
+        {
+            Some("The joint is turned as at rest")
+        }
+        Command::ResetOffset if !joints.iter().any(|joint| roots.contains(joint)) => {
+            Some("Only roots have an offset: other joints turn")
+        }
+        Command::ResetOffset
+            if joints
+                .iter()
+                .all(|&joint| pose.root_offset(joint) == Vec3::ZERO) =>
+        {
+            Some("The root is where it is at rest")
         }
         Command::ResetPose if character.is_at_rest() => Some("Every joint is at rest"),
         Command::MirrorPose if pose.is_bind() => Some("Every joint is at rest"),

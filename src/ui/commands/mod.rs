@@ -169,6 +169,10 @@ pub enum Command {
     ToggleLocalAxes,
     /// Resets the selected joint.
     ResetJoint,
+    /// Turn the selected joints back to rest.
+    ResetAngles,
+    /// Put the selected roots back to where they are at rest.
+    ResetOffset,
     /// Resets every joint of the selected character.
     ResetPose,
     /// Exchanges left and right in the pose of the selected character.

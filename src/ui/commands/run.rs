@@ -9,11 +9,13 @@ use super::{Command, Entry, Primitive};
 use crate::character::Mirror;
 use crate::editor::{
     BoxMode, Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place,
-    for_all_selected, set_beside_figures,
+    for_all_selected, set_beside_others,
 };
 use crate::geometry::{Curve, CurveForm};
+use crate::math::{Aabb, Euler};
 use crate::scene::{
-    Camera, CharacterShape, CurveSet, Evaluated, FitArea, Look, NewShape, Shape, ShapeId, ShapeKind,
+    Camera, CharacterShape, CurveSet, Evaluated, FitArea, Look, NewShape, Shape, ShapeId,
+    ShapeKind, bones_in_world,
 };
 use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
@@ -23,6 +25,7 @@ use crate::ui::{
     Action, Ask, CompareAction, CompareMeshAction, GestureStep, HistoryMove, Navigation,
     control_points, posing, view_overlay,
 };
+use glam::Vec3;
 use std::sync::Arc;
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
@@ -106,6 +109,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Begin(tool) => state.pose.asked = Some((tool, GestureStep::Begin)),
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
         Command::ResetJoint
+        | Command::ResetAngles
+        | Command::ResetOffset
         | Command::ResetPose
         | Command::MirrorPose
         | Command::MirrorJoints
@@ -227,6 +232,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Fit | Command::FitAll => {
             let area = view_overlay::fit_area(state, aspect);
             let all = command == Command::FitAll || session.selected().is_none();
+            let of_joints = fitted_to_joints(session, state, area).filter(|_| !all);
+            if let Some(camera) = of_joints {
+                return Some(Action::View(View::SetCamera(camera)));
+            }
             return Some(Action::View(match state.explain.evaluated(session) {
                 // A mistake that is made on purpose may take a mesh elsewhere.
                 Some(shown) => View::SetCamera(fitted(session, &shown, all, area)),
@@ -246,7 +255,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
 /// Inserts a new shape, with the name that the menu has for it.
 fn insert(command: Command, primitive: Primitive, session: &Session) -> Action {
     let mut shape = NewShape::new(label(command), primitive.kind());
-    set_beside_figures(session, &mut shape);
+    set_beside_others(session, &mut shape);
     Action::Edit(Edit::Insert(vec![shape]))
 }
 
@@ -363,6 +372,23 @@ pub(super) fn selected_curves(session: &Session) -> Option<(ShapeId, &CurveSet)>
     Some((id, session.scene().curve(id)?.curves()))
 }
 
+/// The camera that has the bones of the selected joints in its `area`, as in Blender while its navigation is chosen and
+/// bones are posed.
+fn fitted_to_joints(session: &Session, state: &UiState, area: FitArea) -> Option<Camera> {
+    let shape = posed_character(session, state)?;
+    let joints = session.selected_joints();
+    let evaluated = session.evaluated().shape(shape)?;
+    let bones = bones_in_world(session.scene(), evaluated);
+    let bones = bones.filter(|(joint, ..)| joints.contains(joint));
+    let bounds = Aabb::from_points(bones.flat_map(|(_, start, end)| [start, end]));
+    let is_meant = state.navigation == Navigation::Blender && !bounds.is_empty();
+    is_meant.then(|| {
+        let mut camera = session.view().camera;
+        camera.fit(&bounds, area);
+        camera
+    })
+}
+
 /// The camera that has what is `shown` in its `area`: all that is visible, or what of it is selected.
 fn fitted(session: &Session, shown: &Evaluated, all: bool, area: FitArea) -> Camera {
     let mut camera = session.view().camera;
@@ -391,6 +417,26 @@ fn pose_action(command: Command, session: &Session) -> Option<Action> {
                     .map(|&joint| Edit::ResetJoint(shape, joint))
                     .collect(),
             )
+        }
+        Command::ResetAngles => {
+            let joints = session.selected_joints().iter();
+            let at_rest = joints.map(|&joint| Edit::SetJointTransform {
+                shape,
+                joint,
+                rotation: Euler::ZERO,
+            });
+            Edit::Together(at_rest.collect())
+        }
+        Command::ResetOffset => {
+            let roots = character.character.skeleton().roots();
+            let selected = session.selected_joints().iter();
+            let selected = selected.filter(|joint| roots.contains(joint));
+            let at_rest = selected.map(|&root| Edit::SetRootOffset {
+                shape,
+                root,
+                offset: Vec3::ZERO,
+            });
+            Edit::Together(at_rest.collect())
         }
         Command::ResetPose => Edit::ResetPose(shape),
         Command::MirrorPose => {

@@ -266,7 +266,7 @@ pub const COMMANDS: &[Entry] = &[
 
     entry(Command::SetTool(Tool::Select), Menu::Tools, "Select Tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]).also("pointer cursor arrow"),
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose Tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]).also("joints sliders rotate animate"),
-    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move Tool", "Left drag moves the shape under the pointer, or where bones show or a joint is selected, the root", &[key(NONE, Key::G), key(NONE, Key::W)]).also("translate grab position"),
+    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move Tool", "Left drag moves the shape under the pointer, or where bones show or it is selected, the root", &[key(NONE, Key::G), key(NONE, Key::W)]).also("translate grab position"),
     entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate Tool", "Rings turn the selected shape about its origin, several about the middle of theirs", &[key(NONE, Key::E)]).also("gizmo spin"),
     entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale Tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]).also("size resize gizmo"),
     entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK Tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]).also("inverse kinematics reach"),
@@ -275,6 +275,8 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::UnpinAll, Menu::Tools, "Unpin All Joints", "Let go of every pinned joint", &[key(ALT, Key::P)]).also("release free"),
 
     entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]).also("zero clear"),
+    entry(Command::ResetAngles, Menu::Pose, "Reset Angles of Joint", "Turn the selected joint back to rest; a root stays where it is", &[]).also("zero clear"),
+    entry(Command::ResetOffset, Menu::Pose, "Reset Offset of Root", "Put the selected root back to where it is at rest, turned as it is", &[]).also("zero clear position"),
     entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]).also("zero clear bind t-pose"),
     entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]).also("flip symmetry symmetric reflect swap"),
     entry(Command::MirrorJoints, Menu::Pose, "Mirror onto Other Side", "Give the joints on the other side the pose of the selected ones, which stay as they are", &[key(SHIFT, Key::M)]).also("flip symmetry symmetrize symmetric reflect opposite arm leg"),
@@ -302,8 +304,8 @@ pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
 }
 
 /// What the key of `command` does at the moment: with the Pose and IK tools, Delete puts the selected joint back to
-/// rest, rather than deleting all that hangs together with it, and with any tool that takes bones, Alt+R in
-/// Blender's navigation does. There, with the Pose tool G turns a bone that hangs on another one, as it does in Blender.
+/// rest, rather than deleting all that hangs together with it, and with any tool that takes bones, Alt+R and Alt+G in
+/// Blender's navigation are about its angles and its offset. There, with the Pose tool G turns a bone that hangs on another one, as it does in Blender.
 pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
     let has_joint = session.selected_joint().is_some();
     let hangs = |(shape, joint)| root_of(session, shape, joint) != Some(joint);
@@ -311,7 +313,8 @@ pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> C
         Command::Delete if has_joint && matches!(tool, Tool::Pose | Tool::Ik) => {
             Command::ResetJoint
         }
-        Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetJoint,
+        Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetAngles,
+        Command::ResetPosition if has_joint && tool.takes_bones() => Command::ResetOffset,
         Command::Begin(Tool::Move)
             if tool == Tool::Pose
                 && (session.selected().zip(session.selected_joint())).is_some_and(hangs) =>

@@ -56,6 +56,7 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
         Factor::CurrentTransposed => ("T", "T"),
         Factor::InverseBindTransposed => ("B", "-T"),
         Factor::BindTransposed => ("B", "T"),
+        Factor::InverseCurrent => ("T", "-1"),
     }
 }
 
@@ -175,6 +176,9 @@ fn chained(start: &'static str, parent: &'static str, chain: Chain, own: Vec<Par
         Chain::ParentOwn => parts.insert(0, part(parent, Mark::Same)),
         Chain::Own => parts.insert(0, part(parent, Mark::LeftOut)),
         Chain::OwnParent => parts.push(part(parent, Mark::Changed)),
+        Chain::ParentsOwn | Chain::WithoutRotations => {
+            parts.insert(0, part(parent, Mark::Changed));
+        }
     }
     Line { start, parts }
 }

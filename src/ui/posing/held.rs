@@ -120,6 +120,11 @@ impl Held {
         }
     }
 
+    /// Whether it is turned.
+    pub(super) fn turns(&self) -> bool {
+        matches!(self.drag, Drag::Bone(_) | Drag::Ring(_) | Drag::Turn(_))
+    }
+
     /// Takes what is typed for it in this frame.
     pub(super) fn take_keys(&mut self, ctx: &egui::Context) {
         if self.snaps() {

@@ -23,7 +23,7 @@ use crate::scene::{BoneHit, Look, ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
 use crate::ui::{Action, GestureStep};
-use egui::{Context, Painter, Pos2, Response, Ui};
+use egui::{Context, Key, Painter, Pos2, Response, Ui};
 use held::{Held, PoseGesture};
 use std::borrow::Cow;
 
@@ -162,10 +162,15 @@ fn show_gizmo(
 }
 
 /// Takes the numbers and axes that are typed for the drag under way. To be called before the panels.
-pub(super) fn take_keys(ctx: &Context, state: &mut PoseState) {
-    if let Some(gesture) = &mut state.gesture {
-        gesture.held_mut().take_keys(ctx);
-    }
+///
+/// Returns whether R was pressed once more while something is turned, which in Blender turns it freely.
+pub(super) fn take_keys(ctx: &Context, state: &mut PoseState) -> bool {
+    let Some(gesture) = &mut state.gesture else {
+        return false;
+    };
+    let is_turned = gesture.is_by_key() && gesture.held().turns();
+    gesture.held_mut().take_keys(ctx);
+    is_turned && ctx.input(|input| input.key_pressed(Key::R))
 }
 
 /// Shows the gizmo of a joint that is selected by a click, in the view or in the list.
@@ -203,7 +208,9 @@ pub(super) fn status(
             Pointing::Mouse => format!("{does} · Ctrl snaps").into(),
             Pointing::Fingers => does.into(),
         };
-        return Some((None, next));
+        let moves = session.selected().filter(|_| state.tool == Tool::Move);
+        let over = moves.and_then(|id| joint_name(session, id, selected_root(session, id)));
+        return Some((over, next));
     }
     // Fingers take hold of bones and are never only above them.
     let hit = state.hovered?;
@@ -300,9 +307,11 @@ fn shows_bones(session: &Session, shape: ShapeId) -> bool {
     view.look == Look::Mannequin && view.bones || shows_skeleton(session, shape)
 }
 
-/// Whether joints of a character are selected.
-fn is_posed(session: &Session, shape: ShapeId) -> bool {
-    session.selected() == Some(shape) && session.selected_joint().is_some()
+/// The joint of a character that is selected, if it is a root.
+fn selected_root(session: &Session, shape: ShapeId) -> Option<usize> {
+    let joint = session.selected_joint();
+    let joint = joint.filter(|_| session.selected() == Some(shape))?;
+    (root_of(session, shape, joint) == Some(joint)).then_some(joint)
 }
 
 /// The character whose joints are selected together, with a tool that turns them.

@@ -2,7 +2,7 @@
 
 use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
-use super::{PoseState, Rolled, ik, is_posed, shows_bones, shows_skeleton};
+use super::{PoseState, Rolled, ik, selected_root, shows_bones, shows_skeleton};
 use crate::editor::{
     BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll, root_of,
 };
@@ -184,7 +184,7 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
 }
 
 /// The bone under the pointer: with tools for bones anyone's; with the Select tool one that is displayed, and with the
-/// Move tool one of the character as well of which a joint is selected, or that has no mesh, since it moves others as a
+/// Move tool one of the character as well of which a root is selected, or that has no mesh, since it moves others as a
 /// whole; with those that turn and scale shapes none.
 fn bone_at(
     session: &Session,
@@ -212,7 +212,9 @@ fn bone_at(
         Tool::Move => {
             let character = &session.scene().character(hit.shape)?.character;
             let has_mesh = !character.bind_mesh().triangles.is_empty();
-            !has_mesh || shows_bones(session, hit.shape) || is_posed(session, hit.shape)
+            !has_mesh
+                || shows_bones(session, hit.shape)
+                || selected_root(session, hit.shape).is_some()
         }
         tool => tool.takes_bones() || shows_skeleton(session, hit.shape),
     };

@@ -1,10 +1,10 @@
 //! The gizmo of the chosen tool for the selection.
 
 use super::held::{Drag, Held};
-use super::{PoseState, ik};
+use super::{PoseState, ik, selected_root};
 use crate::editor::{
     BoneDrag, GizmoHit, Handle, IkGrip, MoveDrag, MoveGizmo, MoveTarget, RingDrag, RotationGizmo,
-    ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale, ShapeTurn, Tool, root_of,
+    ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale, ShapeTurn, Tool,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
@@ -28,8 +28,8 @@ pub(super) enum Gizmo {
     Scale(ScaleGizmo),
 }
 
-/// The tool's gizmo for the selection: rings for a joint with the Pose tool, arrows for its root,
-/// or else for the shape, with the Move tool, rings and handles for the shapes with the Rotate and
+/// The tool's gizmo for the selection: rings for a joint with the Pose tool, arrows for a root
+/// that is selected, or else for the shape, with the Move tool, rings and handles for the shapes with the Rotate and
 /// the Scale tool. `None` while something else is dragged, and for a shape that is hidden or locked.
 pub(super) fn shown_gizmo(session: &Session, state: &PoseState, place: Place) -> Option<Gizmo> {
     if state.gesture.is_some() && state.held_handle().is_none() {
@@ -49,7 +49,7 @@ pub(super) fn shown_gizmo(session: &Session, state: &PoseState, place: Place) ->
             })
         }
         Tool::Move => {
-            let target = move_target(session, shape)?;
+            let target = move_target(session, shape);
             let arrows = MoveGizmo::new(session, target, state.axes, place.size())?;
             Some(Gizmo::Move { arrows, target })
         }
@@ -60,16 +60,12 @@ pub(super) fn shown_gizmo(session: &Session, state: &PoseState, place: Place) ->
     }
 }
 
-/// What the Move tool moves of the active shape: the root above the selected joint, if there is
-/// one, or else the shape.
-pub(super) fn move_target(session: &Session, shape: ShapeId) -> Option<MoveTarget> {
-    Some(match session.selected_joint() {
-        Some(joint) => MoveTarget::Root {
-            shape,
-            joint: root_of(session, shape, joint)?,
-        },
+/// What the Move tool moves of the active shape: the selected joint, if that is a root, or else the shape.
+fn move_target(session: &Session, shape: ShapeId) -> MoveTarget {
+    match selected_root(session, shape) {
+        Some(joint) => MoveTarget::Root { shape, joint },
         None => MoveTarget::Shape(shape),
-    })
+    }
 }
 
 impl Gizmo {
@@ -191,7 +187,7 @@ pub(super) fn begin_by_key(
                     curve,
                     point,
                 },
-                (Some(_), None) => move_target(session, shape)?,
+                (Some(_), None) => move_target(session, shape),
                 (None, None) => MoveTarget::Shape(shape),
             };
             let along = target.free(session);
