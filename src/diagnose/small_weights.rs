@@ -104,13 +104,14 @@ async fn range(alone: &MadeAlone<'_>, rescaled: Rescaled, pace: &Pace) -> Option
         let theirs = search.theirs[vertex];
         let mut fitting = Vec::new();
         // So many are kept where the number is between the last of them and the next.
-        for count in 0..=weights.len() {
+        let counts = skinners.iter_mut().take(weights.len() + 1).enumerate();
+        for (count, skinner) in counts {
             let range = Range {
                 above: weights.get(count).copied().unwrap_or(0.0),
                 up_to: (count.checked_sub(1)).map_or(f64::INFINITY, |last| weights[last]),
             };
             let is_some = range.above < range.up_to;
-            if is_some && skinners[count].place(vertex).distance(theirs) <= search.tolerance {
+            if is_some && skinner.place(vertex).distance(theirs) <= search.tolerance {
                 fitting.push(range);
             }
         }

@@ -83,6 +83,7 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
     assert!(!frame(escape()).1);
     later.set(2.0);
     assert!(!frame(escape()).1);
+    later.set(3.0);
     assert!(frame(escape()).1);
     let saved = &host.written[std::path::Path::new("robot.png")];
     let saved = image::decode(std::path::Path::new("robot.png"), saved).unwrap();
