@@ -1,5 +1,5 @@
-//! Mistakes that are sought by themselves where none of those of [`super::mistakes`] gives the mesh: of a whole program, in the weights of one joint or two, and, last, since one joint can be off in so many ways, in one
-//! line of the skeleton.
+//! Mistakes that are sought by themselves where none of those of [`super::mistakes`] gives the mesh: of a whole program,
+//! in the weights of one joint or two, and, last, since one joint can be off in so many ways, in one line of the skeleton.
 
 use super::formula::{Columns, Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
