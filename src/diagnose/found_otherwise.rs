@@ -1,7 +1,7 @@
-//! Mistakes that are found otherwise than by making each in every way, and beside every other: in the faces of a mesh,
-//! and those that are hardly made beside another one.
+//! Mistakes that are found otherwise than by making each in every way: in the faces of a mesh, in single joints, and with
+//! numbers from the mesh.
 
-use super::formula::{AnglesOf, Chain, Columns, Factors, Kept, Offsets, Rescaled, Rounded};
+use super::formula::Columns;
 use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
@@ -53,18 +53,6 @@ pub(super) static ONE_WRONG_OFFSET: Mistake = Mistake {
     readings: &[],
 };
 
-/// A mistake at roots alone, which other joints do not share.
-pub(super) static ROOT_ROTATED_FIRST: Mistake = Mistake {
-    id: "root-rotated-before-translation",
-    meaning: "the transform of the root alone is R · T instead of T · R, so that its offset turns with it",
-    section: SLIDERS,
-    look_at: "where the root's transform is made or the figure is turned as a whole: the offset comes last to a vertex \
-              and so stands on the left",
-    readings: &[reading("", |formula| {
-        formula.joint.roots_rotate_first = true
-    })],
-};
-
 /// A mistake in two columns of the weights, which are found pair by pair.
 pub(super) static WEIGHTS_EXCHANGED: Mistake = Mistake {
     id: "weights-exchanged",
@@ -72,30 +60,6 @@ pub(super) static WEIGHTS_EXCHANGED: Mistake = Mistake {
     section: SSD,
     look_at: "where the .attach file is read: column c has the weights of joint c + 1, in the order of the .skel file",
     readings: &[],
-};
-
-/// A mistake with the matrix stack.
-pub(super) static STACK_NOT_POPPED: Mistake = Mistake {
-    id: "stack-not-popped",
-    meaning: "the matrix stack is not popped, so that each joint hangs on the one that was visited before it",
-    section: SKELETON,
-    look_at: "the end of the recursion over a joint's children: each push needs its pop",
-    readings: &[
-        reading("in T and in B", |formula| {
-            formula.hangs_on_visited = [true; 2]
-        }),
-        reading("in T", |formula| formula.hangs_on_visited = [true, false]),
-        reading("in B", |formula| formula.hangs_on_visited = [false, true]),
-    ],
-};
-
-/// A mistake in the weighted sum.
-pub(super) static SUM_BEGUN_AT_REST: Mistake = Mistake {
-    id: "sum-begun-at-rest",
-    meaning: "the sum for each vertex begins with its place at rest instead of 0",
-    section: SSD,
-    look_at: "updateMeshVertices: the vertex is set to 0 before what the joints give is added",
-    readings: &[reading("", |formula| formula.begins_at_rest = true)],
 };
 
 /// A mistake in the weights of one joint, which is found joint by joint, or of the last one beside another mistake.
@@ -109,47 +73,6 @@ pub(super) static JOINT_LEFT_OUT: Mistake = Mistake {
     })],
 };
 
-/// A mistake in how the pose comes to joints.
-pub(super) static TRANSLATION_OVERWRITTEN: Mistake = Mistake {
-    id: "translation-overwritten",
-    meaning: "the rotation of a joint that the pose turns overwrites its offset",
-    section: SLIDERS,
-    look_at: "setJointTransform: the fourth column of a joint's transform must stay its offset",
-    readings: &[reading("", |formula| {
-        formula.joint.offsets = Offsets::OfUnposed;
-    })],
-};
-
-/// A mistake at roots alone, which moves the mesh as a whole.
-pub(super) static ROOT_TRANSLATION_MISSING: Mistake = Mistake {
-    id: "root-translation-missing",
-    meaning: "the root has no offset in T",
-    section: SKELETON,
-    look_at: "the recursion over the joints: it begins with the root's own transform, not with that of its children",
-    readings: &[reading("", |formula| {
-        formula.joint.offsets = Offsets::ButOfRoots;
-    })],
-};
-
-/// A mistake in the weighted sum.
-pub(super) static SUM_OVERWRITTEN: Mistake = Mistake {
-    id: "sum-overwritten",
-    meaning: "what one joint gives overwrites what those before it gave, so that there is no sum",
-    section: SSD,
-    look_at: "updateMeshVertices: what each joint gives is added (+=), not assigned (=)",
-    readings: &[
-        reading("the last one with a weight counts", |formula| {
-            formula.weights.kept = Kept::Last;
-        }),
-        reading(
-            "the last one of all counts, whatever its weight",
-            |formula| {
-                formula.weights.columns = Columns::LastAlone;
-            },
-        ),
-    ],
-};
-
 /// A mistake in the weighted sum, for which the mesh is looked at from vertex to vertex, and in grading from test to test.
 pub static SUM_NOT_RESET: Mistake = Mistake {
     id: "sum-not-reset",
@@ -159,58 +82,6 @@ pub static SUM_NOT_RESET: Mistake = Mistake {
     readings: &[],
 };
 
-/// A mistake in what is skinned, of which grading also knows the results of other tests.
-pub static LAST_RESULT_SKINNED: Mistake = Mistake {
-    id: "last-result-skinned",
-    meaning: "the last result is skinned instead of the mesh at rest",
-    section: SSD,
-    look_at: "updateMeshVertices: it reads bindVertices and writes currentVertices, never the other way round",
-    readings: &[reading("that of the same pose", |formula| {
-        formula.moves_twice = true;
-    })],
-};
-
-/// A mistake with the angles about the axes.
-pub(super) static ANGLES_EXCHANGED: Mistake = Mistake {
-    id: "angles-exchanged",
-    meaning: "angles are used about other axes than their own",
-    section: SLIDERS,
-    look_at: "where angles come to setJointTransform: which slider or number is about which axis",
-    readings: &[
-        reading("those about x and y are exchanged", |formula| {
-            formula.joint.axes = [1, 0, 2];
-        }),
-        reading("those about y and z are exchanged", |formula| {
-            formula.joint.axes = [0, 2, 1];
-        }),
-        reading("those about x and z are exchanged", |formula| {
-            formula.joint.axes = [2, 1, 0];
-        }),
-        reading("that about x about y, y about z, z about x", |formula| {
-            formula.joint.axes = [2, 0, 1];
-        }),
-        reading("that about x about z, y about x, z about y", |formula| {
-            formula.joint.axes = [1, 2, 0];
-        }),
-    ],
-};
-
-/// A mistake with the angles of the joints.
-pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
-    id: "angles-shifted",
-    meaning: "joints have the angles of their neighbors in the file",
-    section: SLIDERS,
-    look_at: "where angles come to setJointTransform: angles i are of joint i, the root being joint 0",
-    readings: &[
-        reading("of the joint before them", |formula| {
-            formula.joint.angles_of = AnglesOf::Before;
-        }),
-        reading("of the joint after them", |formula| {
-            formula.joint.angles_of = AnglesOf::After;
-        }),
-    ],
-};
-
 /// A mistake that gives the same mesh as joints without offsets, in T and in B, whatever the pose: it is named with it.
 pub(super) static VERTEX_WITHOUT_W: Mistake = Mistake {
     id: "vertex-without-w",
@@ -218,155 +89,6 @@ pub(super) static VERTEX_WITHOUT_W: Mistake = Mistake {
     section: SSD,
     look_at: "updateMeshVertices: a vertex is a point, the fourth coordinate of which is 1",
     readings: &[],
-};
-
-/// A mistake at roots alone.
-pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
-    id: "root-angles-missing",
-    meaning: "the root is not turned",
-    section: SLIDERS,
-    look_at: "setJointTransform and the loop over the joints that calls it: the root, joint 0, has sliders as well",
-    readings: &[reading("", |formula| {
-        formula.joint.angles_of = AnglesOf::ItselfButRoots;
-    })],
-};
-
-/// A mistake in what is kept of the recursion over the joints.
-pub(super) static ROTATION_OF_CHILDREN_ONLY: Mistake = Mistake {
-    id: "rotation-of-children-only",
-    meaning: "the rotation of a joint turns its children but not itself",
-    section: SLIDERS,
-    look_at: "updateCurrentJointToWorldTransforms: what is kept for a joint has its own rotation, too",
-    readings: &[reading("", |formula| {
-        formula.joint.angles_of = AnglesOf::Parent;
-        formula.joint.rotates_first = true;
-    })],
-};
-
-/// A mistake in what the recursion over the joints hands down.
-pub(super) static ABOVE_PARENTS_MISSING: Mistake = Mistake {
-    id: "above-parents-missing",
-    meaning: "a joint's transform has that of its parent, but not of those above the parent",
-    section: SKELETON,
-    look_at: "the recursion over the joints: it hands down the product so far, and not the joint's own transform",
-    readings: &[
-        reading("in T and in B", |formula| {
-            formula.chain = Chain::ParentsOwn;
-            formula.bind_chain = Chain::ParentsOwn;
-        }),
-        reading("in T", |formula| formula.chain = Chain::ParentsOwn),
-    ],
-};
-
-/// Another one in that.
-pub(super) static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
-    id: "parents-rotations-missing",
-    meaning: "a joint follows the offsets of those above it, but not their rotations",
-    section: SKELETON,
-    look_at: "the recursion over the joints: what is pushed on the matrix stack has the joint's rotation, too",
-    readings: &[reading("", |formula| {
-        formula.chain = Chain::WithoutRotations
-    })],
-};
-
-/// A mistake in what is inverted.
-pub(super) static WRONG_INVERSE: Mistake = Mistake {
-    id: "wrong-inverse",
-    meaning: "T is inverted instead of B",
-    section: SSD,
-    look_at: "whether both are what their names say: currentJointToWorldTransform is T, bindWorldToJointTransform is the \
-              inverse of B",
-    readings: &[
-        reading("T⁻¹ · B", |formula| {
-            formula.factors = Factors::InverseOfCurrent
-        }),
-        reading("B · T⁻¹", |formula| {
-            formula.factors = Factors::InverseOfCurrentFirst;
-        }),
-    ],
-};
-
-/// A mistake in how often rotations are made.
-pub(super) static ROTATION_REPEATED: Mistake = Mistake {
-    id: "rotation-repeated",
-    meaning: "the rotation of each joint is multiplied on more than once",
-    section: SLIDERS,
-    look_at: "setJointTransform: it sets the joint's transform anew (=) instead of multiplying it on (*=), however often \
-              it runs",
-    readings: &[
-        reading("twice", |formula| formula.joint.times = 2),
-        reading("three times", |formula| formula.joint.times = 3),
-    ],
-};
-
-/// A mistake in which weights are used, of which programs make that with four most often: see `influences-cut-4`.
-pub(super) static INFLUENCES_CUT_FEWER: Mistake = Mistake {
-    id: "influences-cut-fewer",
-    meaning: "fewer than four weights of a vertex are used",
-    section: SSD,
-    look_at: "where weights are read or summed: every joint counts, however many there are",
-    readings: &[
-        reading("the two largest", |formula| {
-            formula.weights.kept = Kept::Largest(2);
-        }),
-        reading("the two largest, divided by their sum", |formula| {
-            formula.weights.kept = Kept::Largest(2);
-            formula.weights.rescaled = Rescaled::ToOne;
-        }),
-        reading("the three largest", |formula| {
-            formula.weights.kept = Kept::Largest(3);
-        }),
-        reading("the three largest, divided by their sum", |formula| {
-            formula.weights.kept = Kept::Largest(3);
-            formula.weights.rescaled = Rescaled::ToOne;
-        }),
-        reading("the first", |formula| formula.weights.kept = Kept::First(1)),
-        reading("the first two", |formula| {
-            formula.weights.kept = Kept::First(2)
-        }),
-        reading("the first three", |formula| {
-            formula.weights.kept = Kept::First(3)
-        }),
-    ],
-};
-
-/// A mistake in which weights are used. From which on they are is worked out from the mesh; beside another mistake it is
-/// one of the numbers that programs have most often.
-pub(super) static SMALL_WEIGHTS_LEFT_OUT: Mistake = Mistake {
-    id: "small-weights-left-out",
-    meaning: "weights below a number are not used",
-    section: SSD,
-    look_at: "where weights are read or summed: small ones count as well, and only those of 0 may be skipped",
-    readings: &[
-        reading("those below 0.1", |formula| {
-            formula.weights.kept = Kept::From(0.1)
-        }),
-        reading("those below 0.05", |formula| {
-            formula.weights.kept = Kept::From(0.05)
-        }),
-        reading("those below 0.01", |formula| {
-            formula.weights.kept = Kept::From(0.01)
-        }),
-        reading("those below 0.001", |formula| {
-            formula.weights.kept = Kept::From(0.001)
-        }),
-    ],
-};
-
-/// A mistake in the type of weights.
-pub(super) static WEIGHTS_ROUNDED: Mistake = Mistake {
-    id: "weights-rounded",
-    meaning: "weights are whole numbers",
-    section: SSD,
-    look_at: "where the .attach file is read: weights are float, and no int, up to the sum",
-    readings: &[
-        reading("rounded down", |formula| {
-            formula.weights.rounded = Rounded::Down
-        }),
-        reading("rounded to the nearest", |formula| {
-            formula.weights.rounded = Rounded::ToNearest;
-        }),
-    ],
 };
 
 /// A mistake in when B is made, which grading finds in the poses of other tests.
@@ -405,59 +127,19 @@ pub(super) static ANGLES_SCALED: Mistake = Mistake {
     readings: &[],
 };
 
-/// Those of a whole program that are made in few ways, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 18] = [
-    &ROOT_ROTATED_FIRST,
-    &ROOT_ANGLES_MISSING,
-    &STACK_NOT_POPPED,
-    &TRANSLATION_OVERWRITTEN,
-    &ROOT_TRANSLATION_MISSING,
-    &SUM_BEGUN_AT_REST,
-    &SUM_OVERWRITTEN,
-    &LAST_RESULT_SKINNED,
-    &ANGLES_EXCHANGED,
-    &ANGLES_SHIFTED,
-    &ROTATION_OF_CHILDREN_ONLY,
-    &INFLUENCES_CUT_FEWER,
-    &WEIGHTS_ROUNDED,
-    &SMALL_WEIGHTS_LEFT_OUT,
-    &ABOVE_PARENTS_MISSING,
-    &PARENTS_ROTATIONS_MISSING,
-    &WRONG_INVERSE,
-    &ROTATION_REPEATED,
-];
-
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 31] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 13] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
-    &ROOT_ROTATED_FIRST,
     &WEIGHTS_EXCHANGED,
-    &STACK_NOT_POPPED,
-    &SUM_BEGUN_AT_REST,
     &JOINT_LEFT_OUT,
-    &TRANSLATION_OVERWRITTEN,
-    &ROOT_TRANSLATION_MISSING,
-    &SUM_OVERWRITTEN,
     &SUM_NOT_RESET,
-    &LAST_RESULT_SKINNED,
-    &ANGLES_EXCHANGED,
-    &ANGLES_SHIFTED,
     &ANGLES_SCALED,
-    &ROOT_ANGLES_MISSING,
     &WEIGHT_ROWS_DRIFT,
     &VERTEX_WITHOUT_W,
-    &ROTATION_OF_CHILDREN_ONLY,
-    &INFLUENCES_CUT_FEWER,
-    &WEIGHTS_ROUNDED,
-    &SMALL_WEIGHTS_LEFT_OUT,
-    &ABOVE_PARENTS_MISSING,
-    &PARENTS_ROTATIONS_MISSING,
-    &WRONG_INVERSE,
-    &ROTATION_REPEATED,
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
 ];

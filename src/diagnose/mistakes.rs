@@ -5,6 +5,7 @@ use super::formula::{
     Rescaled, Rows, VertexOrder,
 };
 use super::found_otherwise::FOUND_OTHERWISE;
+use super::of_whole_program::OF_WHOLE_PROGRAM;
 
 /// A mistake that programs make in skinning a character.
 #[derive(Debug)]
@@ -34,6 +35,10 @@ pub(super) const SKELETON: &str = "3.2 Skeleton";
 pub(super) const SLIDERS: &str = "3.4 Sliders";
 pub(super) const MESH: &str = "4.1 Mesh";
 pub(super) const SSD: &str = "4.2 SSD";
+
+/// What to look at where some weights of a vertex are not used.
+pub(super) const EVERY_JOINT_COUNTS: &str =
+    "where weights are read or summed: every joint counts, however many there are";
 
 pub(super) const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
     Reading { how, make }
@@ -327,7 +332,7 @@ pub static MISTAKES: &[Mistake] = &[
         id: "influences-cut-4",
         meaning: "only four weights of a vertex are used",
         section: SSD,
-        look_at: "where weights are read or summed: every joint counts, however many there are",
+        look_at: EVERY_JOINT_COUNTS,
         readings: &[
             reading("the largest", |formula| {
                 formula.weights.kept = Kept::Largest(4)
@@ -339,7 +344,7 @@ pub static MISTAKES: &[Mistake] = &[
         id: "influences-cut-4-renormalized",
         meaning: "only four weights of a vertex are used, and made larger for those left out",
         section: SSD,
-        look_at: "where weights are read or summed: every joint counts, however many there are",
+        look_at: EVERY_JOINT_COUNTS,
         readings: &[
             reading("the largest, divided by their sum", |formula| {
                 formula.weights.kept = Kept::Largest(4);
@@ -458,9 +463,10 @@ const fn by(by: JointsBy, has_angles: bool) -> JointOrder {
 pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});
 
 impl Mistake {
-    /// Every mistake that is known: those of [`MISTAKES`], and those that are found otherwise.
+    /// Every mistake that is known: those of [`MISTAKES`], those of a whole program, and those that are found otherwise.
     pub fn all() -> impl Iterator<Item = &'static Self> {
-        MISTAKES.iter().chain(FOUND_OTHERWISE)
+        let others = OF_WHOLE_PROGRAM.into_iter().chain(FOUND_OTHERWISE);
+        MISTAKES.iter().chain(others)
     }
 
     /// The mistake with this name, if there is one.

@@ -18,6 +18,7 @@ mod mistakes;
 mod model;
 mod nearest;
 mod no_numbers;
+mod of_whole_program;
 mod one_joint;
 mod other_pose;
 mod picture;
@@ -40,13 +41,14 @@ pub use formula::{
     JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rounded, Rows, VertexOrder,
     WeightFormula,
 };
-pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, LAST_RESULT_SKINNED, SUM_NOT_RESET};
+pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, POSE_NOT_APPLIED, Reading};
 pub use nearest::Nearest;
 pub use no_numbers::NoNumbers;
+pub use of_whole_program::LAST_RESULT_SKINNED;
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture, has_silhouette};
 pub use precision::Coarse;
@@ -179,16 +181,11 @@ async fn diagnose_vertices(
         tolerance,
     };
     let error = findings.error();
+    let limits = (tolerance, written.largest);
+    let search = Search::new(model, pose, &points, limits, &distances);
     if order == VertexOrder::File && error <= tolerance {
         let closer = error / MUCH_NEARER;
         let is_closer = |it: &Explanation| closer > SINGLE_PRECISION * size && it.error <= closer;
-        let search = Search::new(
-            model,
-            pose,
-            &points,
-            (tolerance, written.largest),
-            &distances,
-        );
         let (_, same) = search.singles(pace).await;
         let (explanations, same): (Vec<_>, Vec<_>) = same.into_iter().partition(is_closer);
         if explanations.is_empty() {
@@ -203,13 +200,6 @@ async fn diagnose_vertices(
         findings.tolerance = closer;
         return Ok(findings.explained(&explanations));
     }
-    let search = Search::new(
-        model,
-        pose,
-        &points,
-        (tolerance, written.largest),
-        &distances,
-    );
     let (alone, mut explanations) = search.singles(pace).await;
     if explanations.is_empty() {
         explanations.extend(findings.in_another_order());

@@ -2,9 +2,10 @@
 
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
-use super::found_otherwise::{JOINT_LEFT_OUT, OF_WHOLE_PROGRAM, VERTEX_WITHOUT_W};
+use super::found_otherwise::{JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
 use super::mistakes::{MISTAKES, Mistake, Reading, reading};
 use super::model::Model;
+use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::skin::{Placed, Skinner};
 use crate::character::Pose;
 use crate::steps::Pace;

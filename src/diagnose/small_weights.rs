@@ -1,8 +1,8 @@
 //! Weights that are left out because they are small: below which number is worked out from the mesh.
 
 use super::formula::{Formula, Kept, Rescaled};
-use super::found_otherwise::SMALL_WEIGHTS_LEFT_OUT;
 use super::made_alone::MadeAlone;
+use super::of_whole_program::SMALL_WEIGHTS_LEFT_OUT;
 use super::search::{AT_ONCE, Explanation};
 use super::skin::Skinner;
 use crate::steps::Pace;

@@ -1,8 +1,9 @@
 //! Mistakes of a whole program, which are sought by themselves first.
 
-use super::found_otherwise::{ANGLES_SCALED, OF_WHOLE_PROGRAM, SUM_NOT_RESET, WEIGHT_ROWS_DRIFT};
+use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET, WEIGHT_ROWS_DRIFT};
 use super::made_alone::MadeAlone;
 use super::model::Model;
+use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
 use super::small_weights;

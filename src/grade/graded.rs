@@ -1,6 +1,6 @@
 //! What the file of one test is.
 
-use super::kept::MISTAKES;
+use super::kept::FROM_OTHER_TESTS;
 use serde::{Deserialize, Serialize};
 
 /// What became of a test.
@@ -106,7 +106,7 @@ impl Graded {
     pub fn is_of_all_tests(&self) -> bool {
         let is_of_others = |ids: &Vec<String>| {
             let mut ids = ids.iter();
-            ids.any(|id| MISTAKES.iter().any(|mistake| mistake.id == id))
+            ids.any(|id| FROM_OTHER_TESTS.iter().any(|mistake| mistake.id == id))
         };
         matches!(self.outcome, Outcome::OtherPose | Outcome::Unexplained)
             || self.causes.iter().any(is_of_others)

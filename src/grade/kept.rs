@@ -4,15 +4,15 @@
 use crate::character::skinning::skin_positions;
 use crate::character::{Attachments, Character, Pose};
 use crate::diagnose::{
-    self, ANGLES_KEPT, BIND_OF_OTHER_POSE, Formula, LAST_RESULT_SKINNED, Mistake, SUM_NOT_RESET,
-    measure, skin_by,
+    ANGLES_KEPT, BIND_OF_OTHER_POSE, Formula, LAST_RESULT_SKINNED, MISTAKES, Mistake,
+    SUM_NOT_RESET, measure, skin_by,
 };
 use crate::geometry::Mesh;
 use crate::math::Euler;
 use glam::{Mat4, Vec3};
 
 /// Mistakes that are found in the other tests.
-pub(super) static MISTAKES: [&Mistake; 4] = [
+pub(super) static FROM_OTHER_TESTS: [&Mistake; 4] = [
     &LAST_RESULT_SKINNED,
     &SUM_NOT_RESET,
     &BIND_OF_OTHER_POSE,
@@ -63,7 +63,7 @@ pub(super) fn find(
     let step = theirs.len().div_ceil(SAMPLE);
     let few = sampled(character, step)?;
     let few_theirs: Vec<Vec3> = theirs.iter().copied().step_by(step).collect();
-    let readings = (diagnose::MISTAKES.iter()).flat_map(|mistake| {
+    let readings = MISTAKES.iter().flat_map(|mistake| {
         let readings = mistake.readings.iter();
         readings.map(move |reading| (mistake, reading))
     });

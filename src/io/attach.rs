@@ -1,5 +1,6 @@
+use super::encoding::in_utf8;
 use super::numbers::finite;
-use super::scanner::{STRETCH, Scanner, in_utf8};
+use super::scanner::{STRETCH, Scanner};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Attachments, Influence};
 use crate::steps::{Pace, at_once};

@@ -1,11 +1,12 @@
 use super::diagnostic::Warnings;
+use super::encoding::in_utf8;
 use super::mtl::{self, Libraries};
 use super::numbers::finite;
 use super::obj;
 use super::obj_counts::Counts;
 use super::obj_face_reader::FaceReader;
 use super::obj_shape::{Data, Name, Shape, Use};
-use super::scanner::{STRETCH, Scanner, Word, in_utf8};
+use super::scanner::{STRETCH, Scanner, Word};
 use super::{Diagnostic, Files, Imported};
 use crate::geometry::Mesh;
 use crate::steps::{Pace, at_once};

@@ -1,8 +1,9 @@
 //! JSON with places: `jsonc-parser` gives the tree with the bytes that each part comes from, and
 //! [`Json`] hands it to serde, so that every error points at the key or value at fault.
 
+use super::encoding::utf8;
 use super::json_node::Node;
-use super::scanner::{quoted, utf8};
+use super::scanner::quoted;
 use super::{Diagnostic, Position};
 use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};

@@ -9,6 +9,7 @@ pub mod builtin;
 mod content_kind;
 pub mod dae;
 mod diagnostic;
+mod encoding;
 mod export;
 mod export_character;
 mod export_materials;
@@ -52,6 +53,7 @@ pub use archive::{WithArchives, to_zip, unpacked};
 pub use attach::read_attach;
 pub use content_kind::extension_of;
 pub use diagnostic::{Diagnostic, Imported, Position};
+pub use encoding::in_utf8;
 pub use export::{TooFarOut, export_obj};
 pub use export_character::{CharacterFiles, NotExpressible, export_character};
 pub use export_materials::{ObjWithMaterials, export_obj_with_materials};
@@ -73,7 +75,6 @@ pub use rubric_data::{
     MOVED_AS_A_WHOLE, OTHER_POSE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW,
     RIGHT_BUT_FOR_JOINTS, RubricData, SectionData, Share,
 };
-pub use scanner::in_utf8;
 pub use scene::{
     Missing, Package, Reimported, SceneError, SceneFile, files_of_source, needed_files, normal,
     package, read_scene, reimport, scene_text,

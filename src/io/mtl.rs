@@ -1,8 +1,9 @@
 //! Materials of `.mtl` files: `tobj` reads them, line by line as far as they are well formed.
 
 use super::diagnostic::Warnings;
+use super::encoding::in_utf8;
 use super::pictures::{MissingPictures, Pictures};
-use super::scanner::{Scanner, in_utf8, quoted};
+use super::scanner::{Scanner, quoted};
 use super::{Diagnostic, Files};
 use crate::geometry::Material;
 use glam::Vec3;

@@ -1,8 +1,9 @@
 //! Lines of `.obj` files, as characters and shapes share them, and the mesh of a character.
 
+use super::encoding::in_utf8;
 use super::numbers::finite;
 use super::obj_face_reader::FaceReader;
-use super::scanner::{STRETCH, Scanner, in_utf8};
+use super::scanner::{STRETCH, Scanner};
 use super::{Diagnostic, Imported};
 use crate::geometry::{Mesh, Triangulator};
 use crate::steps::{Pace, at_once};

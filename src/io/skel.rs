@@ -1,5 +1,6 @@
+use super::encoding::in_utf8;
 use super::numbers::finite;
-use super::scanner::{Scanner, Word, in_utf8, quoted};
+use super::scanner::{Scanner, Word, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Joint, SkeletalModel, SkeletonError};
 use glam::Vec3;

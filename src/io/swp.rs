@@ -1,8 +1,9 @@
 //! Curves and surfaces as `.swp` files, read and written.
 
 use super::diagnostic::Warnings;
+use super::encoding::utf8;
 use super::numbers::finite;
-use super::scanner::{quoted, utf8};
+use super::scanner::quoted;
 use super::{Diagnostic, Imported, Position};
 use crate::geometry::{Basis, Curve, CurveForm, MAX_CURVE_POINTS, MAX_STEPS};
 use crate::scene::{CurveItemKind, CurveSet};

@@ -51,8 +51,9 @@ impl Program {
                     {
                         self.ui.look_of_new = Some(look);
                         self.ui.follow_look(look);
-                        let ahead = self.session.view().camera.forward();
-                        if look == Look::Course && ahead.z > AGAINST_THE_LIGHT {
+                        let view = self.session.view();
+                        let is_new = look == Look::Course && view.look != look;
+                        if is_new && view.camera.forward().z > AGAINST_THE_LIGHT {
                             self.tell(Severity::Info, DARK_FROM_HERE.to_owned());
                         }
                     }
@@ -214,14 +215,12 @@ impl Program {
                 joints,
                 mirrored,
             } => {
+                let joints = Some(joints);
                 let sides = match mirrored {
                     true => Sides::Exchanged,
                     false => Sides::AsTheyAre,
                 };
-                let pasted = Pasted {
-                    sides,
-                    joints: Some(joints),
-                };
+                let pasted = Pasted { sides, joints };
                 self.ask_for_clipboard(Some(shape), pasted, host);
             }
             Ask::Compare(action) => self.compare(action, host),

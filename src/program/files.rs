@@ -239,8 +239,7 @@ impl Program {
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
                 let (pose, onto) = pasted.onto(skeleton, character.pose(), pose);
-                let told = onto.map(|joints| pasted_onto(skeleton, &joints));
-                if let Some(told) = told {
+                if let Some(told) = onto.map(|joints| pasted_onto(skeleton, &joints)) {
                     self.tell(Severity::Info, told);
                 }
                 if !missing.is_empty() {

@@ -354,7 +354,10 @@ fn add_gestures_of_panels(
         let edits = actions
             .iter()
             .any(|action| matches!(action, Action::Edit(_)));
-        let has_begun = |action: &Action| matches!(action, Action::Gesture(_));
+        let has_begun = |action: &Action| {
+            use GestureStep::{Begin, BeginOnLastStep};
+            matches!(action, Action::Gesture(Begin | BeginOnLastStep))
+        };
         if holding && edits && !session.is_in_gesture() && !actions.iter().any(has_begun) {
             actions.insert(0, Action::Gesture(GestureStep::Begin));
         }

@@ -202,24 +202,13 @@ fn another_angle_of_one_joint_is_another_pose_and_no_factor() {
     assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
 }
 
-#[test]
-fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
-    let figure = Figure::builtin("adult", turned(80));
-    let pose = figure.pose();
-    let skeleton = figure.character.skeleton();
-    let t = skeleton.update_current_joint_to_world_transforms(&pose);
-    let b = skeleton.update_current_joint_to_world_transforms(&Pose::new());
-    // What is kept for a joint lacks its own rotation.
-    let palette = (0..t.len()).map(|joint| {
-        let own = Mat4::from_mat3(pose.rotation(joint).to_mat3());
-        t[joint] * own.inverse() * b[joint].inverse()
-    });
-    let palette: Vec<Mat4> = palette.collect();
-    let rest = &figure.positions;
-    let mut skinned = rest.clone();
-    skin_positions(&palette, figure.character.attachments(), rest, &mut skinned);
-    let found = figure.diagnose(&written(&skinned, 6));
-    assert_named(&found, "rotation-of-children-only", "");
+/// Weights divided by their sum.
+fn to_one(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
+    let sum: f32 = weights.iter().map(|(_, weight)| weight).sum();
+    let scaled = weights.into_iter();
+    scaled
+        .map(|(joint, weight)| (joint, weight / sum))
+        .collect()
 }
 
 /// The transforms of the joints of a figure relative to their parents, in its pose and at rest.
@@ -265,6 +254,21 @@ fn transforms_of_which_joints_get_only_a_part_from_those_above_are_named() {
     });
     assert_named(&found, "parents-rotations-missing", "");
     assert_eq!(found.mistakes[0].section, "3.2 Skeleton");
+}
+
+#[test]
+fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
+    let figure = Figure::builtin("adult", turned(80));
+    let pose = figure.pose();
+    let skeleton = figure.character.skeleton();
+    let [t, b] =
+        [&pose, &Pose::new()].map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    // What is kept for a joint lacks its own rotation.
+    let found = moved_by(&figure, |joint| {
+        let own = Mat4::from_mat3(pose.rotation(joint).to_mat3());
+        t[joint] * own.inverse() * b[joint].inverse()
+    });
+    assert_named(&found, "rotation-of-children-only", "");
 }
 
 #[test]
@@ -314,13 +318,6 @@ fn fewer_weights_than_four_are_named_with_their_number() {
         weights.truncate(most);
         weights
     }
-    fn to_one(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
-        let sum: f32 = weights.iter().map(|(_, weight)| weight).sum();
-        let scaled = weights
-            .into_iter()
-            .map(|(joint, weight)| (joint, weight / sum));
-        scaled.collect()
-    }
     for (weights, how) in [
         (
             (|weights| largest(weights, 2)) as fn(Vec<(usize, f32)>) -> Vec<(usize, f32)>,
@@ -355,13 +352,6 @@ fn small_weights_that_are_left_out_are_named_with_the_number_below_which_they_ar
     fn below(least: f32, mut weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
         weights.retain(|(_, weight)| *weight >= least);
         weights
-    }
-    fn to_one(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
-        let sum: f32 = weights.iter().map(|(_, weight)| weight).sum();
-        let scaled = weights.into_iter();
-        scaled
-            .map(|(joint, weight)| (joint, weight / sum))
-            .collect()
     }
     let some_more = |least: f32, found: &Diagnosis| {
         assert_eq!(found.causes, ["small-weights-left-out"], "{least}: {found}");

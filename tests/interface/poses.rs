@@ -12,6 +12,13 @@ const NECK: usize = 3;
 const RIGHT_ELBOW: usize = 14;
 const LEFT_ELBOW: usize = 17;
 
+/// Presses the key that pastes, with what is on the clipboard.
+fn paste(editor: &mut Editor, modifiers: Modifiers) {
+    let pasted = Event::Paste("{}".into());
+    editor.harness.event_modifiers(pasted, modifiers);
+    editor.settle();
+}
+
 fn posed() -> Editor {
     let mut editor = Editor::with_figure();
     editor.type_into("Neck Y", "20");
@@ -82,12 +89,8 @@ fn in_the_blender_navigation_a_pose_is_pasted_onto_the_selected_joints() {
         editor.view(View::SelectJoint(None));
         editor.view(View::SelectJoints(joints));
         let before = editor.asked().len();
-        editor.harness.event(Event::Paste("{}".into()));
-        editor.settle();
-        let pasted = Event::Paste("{}".into());
-        let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
-        editor.harness.event_modifiers(pasted, with_shift);
-        editor.settle();
+        paste(&mut editor, Modifiers::COMMAND);
+        paste(&mut editor, Modifiers::COMMAND | Modifiers::SHIFT);
         editor.asked()[before..].to_vec()
     };
     let whole = [Ask::Paste, Ask::PastePoseMirrored(id)];
@@ -111,12 +114,8 @@ fn copy_and_paste_ask_for_the_clipboard() {
     editor.choose(&["Pose", "Paste Pose"]);
     editor.harness.event(Event::Copy);
     editor.settle();
-    editor.harness.event(Event::Paste("{}".into()));
-    editor.settle();
-    let pasted = Event::Paste("{}".into());
-    let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
-    editor.harness.event_modifiers(pasted, with_shift);
-    editor.settle();
+    paste(&mut editor, Modifiers::COMMAND);
+    paste(&mut editor, Modifiers::COMMAND | Modifiers::SHIFT);
     editor.choose(&["Pose", "Paste Pose Mirrored"]);
     // With the Pose tool, the same keys are about the pose.
     editor.key(Key::B);

@@ -20,7 +20,8 @@ mod skin;
 mod sources;
 mod visual_scene;
 
-use super::scanner::{no_text, quoted};
+use super::encoding::no_text;
+use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;

@@ -1,10 +1,9 @@
 //! When commands are disabled.
 
 use super::hiding::{hidden, others};
+use super::pose_commands::mirror_joints;
 use super::put_back::why_nothing_back;
-use super::run::{
-    character_to_compare, curves, mirror_joints, selected_character, selected_curves,
-};
+use super::run::{character_to_compare, curves, selected_character, selected_curves};
 use super::sweep::sweep;
 use super::table::is_in;
 use super::{Command, Menu};
@@ -162,12 +161,16 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
     let joints = session.selected_joints();
     let roots = character.character.skeleton().roots();
     match command {
-        Command::ResetJoint if joints.is_empty() => Some("No joint is selected"),
+        Command::ResetJoint
+        | Command::ResetAngles
+        | Command::ResetOffset
+        | Command::MirrorJoints
+            if joints.is_empty() =>
+        {
+            Some("No joint is selected")
+        }
         Command::ResetJoint if !joints.iter().any(|&joint| pose.is_changed(joint)) => {
             Some("The joint is at rest. Esc deselects it; then this is about the character")
-        }
-        Command::ResetAngles | Command::ResetOffset if joints.is_empty() => {
-            Some("No joint is selected")
         }
         Command::ResetAngles
             if joints
@@ -188,7 +191,6 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
         }
         Command::ResetPose if character.is_at_rest() => Some("Every joint is at rest"),
         Command::MirrorPose if pose.is_bind() => Some("Every joint is at rest"),
-        Command::MirrorJoints if joints.is_empty() => Some("No joint is selected"),
         Command::MirrorJoints => mirror_joints(session).err(),
         _ => None,
     }

@@ -4,6 +4,7 @@ mod enabled;
 mod gestures;
 mod hiding;
 mod keys;
+mod pose_commands;
 mod pressed;
 mod put_back;
 mod run;
@@ -169,15 +170,15 @@ pub enum Command {
     ToggleLocalAxes,
     /// Resets the selected joint.
     ResetJoint,
-    /// Turn the selected joints back to rest.
+    /// Turns the selected joints back to rest.
     ResetAngles,
-    /// Put the selected roots back to where they are at rest.
+    /// Puts the selected roots back to where they are at rest.
     ResetOffset,
     /// Resets every joint of the selected character.
     ResetPose,
     /// Exchanges left and right in the pose of the selected character.
     MirrorPose,
-    /// Give the joints on the other side the pose of those that are selected, mirrored.
+    /// Gives the joints on the other side the pose of those that are selected, mirrored.
     MirrorJoints,
     /// Copies the pose of the selected character to the clipboard.
     CopyPose,

@@ -2,20 +2,18 @@
 
 use super::enabled::why_disabled;
 use super::hiding::{hide_others, others, show_all, toggle};
+use super::pose_commands::{fitted_to_joints, pasted_onto, pose_action, posed_character};
 use super::put_back::put_back;
 use super::sweep::sweep;
 use super::table::label;
 use super::{Command, Entry, Primitive};
-use crate::character::Mirror;
 use crate::editor::{
     BoxMode, Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place,
     for_all_selected, set_beside_others,
 };
 use crate::geometry::{Curve, CurveForm};
-use crate::math::{Aabb, Euler};
 use crate::scene::{
-    Camera, CharacterShape, CurveSet, Evaluated, FitArea, Look, NewShape, Shape, ShapeId,
-    ShapeKind, bones_in_world,
+    Camera, CharacterShape, CurveSet, Evaluated, FitArea, Look, NewShape, Shape, ShapeId, ShapeKind,
 };
 use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
@@ -25,7 +23,6 @@ use crate::ui::{
     Action, Ask, CompareAction, CompareMeshAction, GestureStep, HistoryMove, Navigation,
     control_points, posing, view_overlay,
 };
-use glam::Vec3;
 use std::sync::Arc;
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
@@ -265,13 +262,6 @@ fn to_selected(session: &Session, edit: impl Fn(ShapeId) -> Edit) -> Option<Acti
     Some(Action::Edit(for_all_selected(session, edit)))
 }
 
-/// The character whose pose is copied rather than itself: the selected one, with a tool that poses.
-fn posed_character(session: &Session, state: &UiState) -> Option<ShapeId> {
-    let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik);
-    let (id, _) = selected_character(session).filter(|_| poses)?;
-    Some(id)
-}
-
 /// Tooltip of a row of the table, about what it does at the moment.
 pub(in crate::ui) fn full_tooltip(
     entry: &Entry,
@@ -372,23 +362,6 @@ pub(super) fn selected_curves(session: &Session) -> Option<(ShapeId, &CurveSet)>
     Some((id, session.scene().curve(id)?.curves()))
 }
 
-/// The camera that has the bones of the selected joints in its `area`, as in Blender while its navigation is chosen and
-/// bones are posed.
-fn fitted_to_joints(session: &Session, state: &UiState, area: FitArea) -> Option<Camera> {
-    let shape = posed_character(session, state)?;
-    let joints = session.selected_joints();
-    let evaluated = session.evaluated().shape(shape)?;
-    let bones = bones_in_world(session.scene(), evaluated);
-    let bones = bones.filter(|(joint, ..)| joints.contains(joint));
-    let bounds = Aabb::from_points(bones.flat_map(|(_, start, end)| [start, end]));
-    let is_meant = state.navigation == Navigation::Blender && !bounds.is_empty();
-    is_meant.then(|| {
-        let mut camera = session.view().camera;
-        camera.fit(&bounds, area);
-        camera
-    })
-}
-
 /// The camera that has what is `shown` in its `area`: all that is visible, or what of it is selected.
 fn fitted(session: &Session, shown: &Evaluated, all: bool, area: FitArea) -> Camera {
     let mut camera = session.view().camera;
@@ -404,107 +377,6 @@ fn fitted(session: &Session, shown: &Evaluated, all: bool, area: FitArea) -> Cam
 pub(in crate::ui) fn curves(set: &CurveSet) -> impl Iterator<Item = (usize, &Curve)> {
     let items = set.items().iter().enumerate();
     items.filter_map(|(index, item)| Some((index, item.curve()?)))
-}
-
-/// Action of a command about the pose of the selected character.
-fn pose_action(command: Command, session: &Session) -> Option<Action> {
-    let (shape, character) = selected_character(session)?;
-    let edit = match command {
-        Command::ResetJoint => {
-            let joints = session.selected_joints().iter();
-            Edit::Together(
-                joints
-                    .map(|&joint| Edit::ResetJoint(shape, joint))
-                    .collect(),
-            )
-        }
-        Command::ResetAngles => {
-            let joints = session.selected_joints().iter();
-            let at_rest = joints.map(|&joint| Edit::SetJointTransform {
-                shape,
-                joint,
-                rotation: Euler::ZERO,
-            });
-            Edit::Together(at_rest.collect())
-        }
-        Command::ResetOffset => {
-            let roots = character.character.skeleton().roots();
-            let selected = session.selected_joints().iter();
-            let selected = selected.filter(|joint| roots.contains(joint));
-            let at_rest = selected.map(|&root| Edit::SetRootOffset {
-                shape,
-                root,
-                offset: Vec3::ZERO,
-            });
-            Edit::Together(at_rest.collect())
-        }
-        Command::ResetPose => Edit::ResetPose(shape),
-        Command::MirrorPose => {
-            let mirror = Mirror::new(character.character.skeleton());
-            Edit::SetPose(shape, mirror.pose(character.pose()))
-        }
-        Command::MirrorJoints => return mirror_joints(session).ok().map(Action::Edit),
-        Command::KeepPose => Edit::KeepPose {
-            shape,
-            name: character.free_pose_name(),
-        },
-        Command::CopyPose => return Some(Action::Ask(Ask::CopyPose(shape))),
-        Command::PastePose => return Some(Action::Ask(Ask::PastePose(shape))),
-        Command::PastePoseMirrored => return Some(Action::Ask(Ask::PastePoseMirrored(shape))),
-        Command::SavePose => return Some(Action::Ask(Ask::SavePose(shape, None))),
-        Command::LoadPose => return Some(Action::Ask(Ask::LoadPose(shape))),
-        _ => return None,
-    };
-    Some(Action::Edit(edit))
-}
-
-/// Gives the joints on the other side the pose of the selected ones, mirrored.
-///
-/// # Errors
-/// In words why that is not possible.
-pub(super) fn mirror_joints(session: &Session) -> Result<Edit, &'static str> {
-    let (shape, character) = selected_character(session).ok_or("No character is selected")?;
-    let mirror = Mirror::new(character.character.skeleton());
-    let selected = session.selected_joints().iter();
-    let other_side = selected.map(|&joint| (joint, mirror.partner(joint)));
-    let other_side = other_side.filter(|(joint, partner)| joint != partner);
-    let other_side: Vec<usize> = other_side.map(|(_, partner)| partner).collect();
-    if other_side.is_empty() {
-        return Err("The selected joint has none on the other side");
-    }
-    let is_selected = |joint: &usize| session.selected_joints().contains(joint);
-    if other_side.iter().any(is_selected) {
-        return Err("Joints of both sides are selected (Mirror Pose exchanges them)");
-    }
-    let pose = character.pose();
-    let posed = pose.with_joints_of(&mirror.pose(pose), &other_side);
-    Ok(Edit::SetPose(shape, posed))
-}
-
-/// Pastes a pose onto the selected joints alone, as in Blender, where its navigation is chosen and bones are posed, but
-/// for all joints.
-fn pasted_onto(command: Command, session: &Session, state: &UiState) -> Option<Action> {
-    let shape = posed_character(session, state)?;
-    let joints = session.selected_joints();
-    let count = selected_character(session)?
-        .1
-        .character
-        .skeleton()
-        .joints()
-        .len();
-    let are_some = !joints.is_empty() && joints.len() < count;
-    let is_pasted = matches!(
-        command,
-        Command::Paste | Command::PastePose | Command::PastePoseMirrored
-    );
-    let is_meant = is_pasted && are_some && state.navigation == Navigation::Blender;
-    is_meant.then(|| {
-        Action::Ask(Ask::PastePoseOnto {
-            shape,
-            joints: joints.to_vec(),
-            mirrored: command == Command::PastePoseMirrored,
-        })
-    })
 }
 
 /// The character that a mesh is compared with: the selected one, or the only one.

@@ -301,10 +301,23 @@ fn shows_skeleton(session: &Session, shape: ShapeId) -> bool {
     character.is_some_and(|character| character.display.mode != ModelDisplay::Mesh)
 }
 
-/// Whether the bones of a character are seen: those of its skeleton, or of the Mannequin look.
-fn shows_bones(session: &Session, shape: ShapeId) -> bool {
+/// Whether the tool takes the bones of a character: the Move tool those that are seen, of a character whose root is
+/// selected, or that has no mesh, since it moves others as a whole.
+fn takes_bones_of(session: &Session, tool: Tool, shape: ShapeId) -> bool {
     let view = session.view();
-    view.look == Look::Mannequin && view.bones || shows_skeleton(session, shape)
+    let has_no_mesh = || {
+        let character = session.scene().character(shape);
+        character.is_some_and(|it| it.character.bind_mesh().triangles.is_empty())
+    };
+    match tool {
+        Tool::Move => {
+            view.look == Look::Mannequin && view.bones
+                || shows_skeleton(session, shape)
+                || selected_root(session, shape).is_some()
+                || has_no_mesh()
+        }
+        tool => tool.takes_bones(),
+    }
 }
 
 /// The joint of a character that is selected, if it is a root.

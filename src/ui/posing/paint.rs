@@ -2,7 +2,7 @@
 
 use super::held::PoseGesture;
 use super::ik::{followed, lost_pins, pinned};
-use super::{selected_root, shows_bones, shows_skeleton};
+use super::{shows_skeleton, takes_bones_of};
 use crate::editor::{IkGrip, Session, Tool};
 use crate::scene::{Look as SceneLook, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
@@ -23,10 +23,9 @@ pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session,
     if tool.takes_bones() {
         let selected = session.selected();
         let is_hidden = |id: &ShapeId| {
-            let is_taken = tool != Tool::Move
-                || selected_root(session, *id).is_some()
-                || shows_bones(session, *id);
-            is_taken && !shows_skeleton(session, *id) && is_pickable(session, *id)
+            takes_bones_of(session, tool, *id)
+                && !shows_skeleton(session, *id)
+                && is_pickable(session, *id)
         };
         if let Some(shape) = selected.filter(is_hidden) {
             let is_light = painter.ctx().theme() == Theme::Light;

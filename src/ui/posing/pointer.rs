@@ -2,7 +2,7 @@
 
 use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
-use super::{PoseState, Rolled, ik, selected_root, shows_bones, shows_skeleton};
+use super::{PoseState, Rolled, ik, shows_skeleton, takes_bones_of};
 use crate::editor::{
     BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll, root_of,
 };
@@ -183,9 +183,8 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
     Under::Nothing
 }
 
-/// The bone under the pointer: with tools for bones anyone's; with the Select tool one that is displayed, and with the
-/// Move tool one of the character as well of which a root is selected, or that has no mesh, since it moves others as a
-/// whole; with those that turn and scale shapes none.
+/// The bone under the pointer: of a character whose bones the tool takes or whose skeleton is displayed; with tools that
+/// turn and scale shapes none.
 fn bone_at(
     session: &Session,
     (tool, by_finger): (Tool, bool),
@@ -208,16 +207,7 @@ fn bone_at(
     };
     let by_finger = || by_finger.then(|| at(FINGER_REACH)).flatten();
     let hit = at(POINTER_REACH).or_else(by_finger)?;
-    let is_taken = match tool {
-        Tool::Move => {
-            let character = &session.scene().character(hit.shape)?.character;
-            let has_mesh = !character.bind_mesh().triangles.is_empty();
-            !has_mesh
-                || shows_bones(session, hit.shape)
-                || selected_root(session, hit.shape).is_some()
-        }
-        tool => tool.takes_bones() || shows_skeleton(session, hit.shape),
-    };
+    let is_taken = takes_bones_of(session, tool, hit.shape) || shows_skeleton(session, hit.shape);
     is_taken.then_some(hit)
 }
 
@@ -382,7 +372,10 @@ pub(in crate::ui) fn roll_by_keys(
         let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
         right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
     });
-    let Some(edit) = roll(session, shape, bone, steps * ROLL_STEP).filter(|_| steps != 0.0) else {
+    if steps == 0.0 {
+        return;
+    }
+    let Some(edit) = roll(session, shape, bone, steps * ROLL_STEP) else {
         return;
     };
     let document = Some(session.document());
