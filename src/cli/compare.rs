@@ -26,11 +26,11 @@ use std::sync::Arc;
 /// than the allowed differ, and with 1 otherwise.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj)
+    /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj or .txt)
     #[arg(value_name = "A")]
     a: PathBuf,
-    /// The picture or mesh (.obj, or .txt) that is compared with it, of which the vertices (v lines) are enough; A or B
-    /// may be - for standard input
+    /// The picture or mesh that is compared with it. Of one of two meshes the vertices (v lines) are enough; A or B may be -
+    /// for standard input
     #[arg(value_name = "B")]
     b: PathBuf,
     /// Largest difference that is ignored: for pictures of a channel, 0 to 255 [0]; for meshes a
@@ -228,8 +228,17 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         }
         Ok(imported.value)
     };
-    let a = read(&args.a, None)?;
-    let b = read(&args.b, Some(&a))?;
+    let (a, b) = match read(&args.a, None) {
+        Ok(a) => {
+            let b = read(&args.b, Some(&a))?;
+            (a, b)
+        }
+        // The vertices of A are enough if B has the faces.
+        Err(error) => match read(&args.b, None) {
+            Ok(b) => (read(&args.a, Some(&b))?, b),
+            Err(_) => return Err(error),
+        },
+    };
     let parts = parts(args, &files, a.positions.len())?;
     let options = MeshOptions {
         tolerance: args.threshold,

@@ -30,6 +30,8 @@ pub struct Formula {
     /// Whether each joint hangs on the one that is visited before it, its children before its next sibling, in T and in B:
     /// the matrix stack is never popped.
     pub hangs_on_visited: [bool; 2],
+    /// What B has left on the matrix stack when T begins.
+    pub left_on_stack: LeftOnStack,
     /// Whether the sum begins with the vertex at rest.
     pub begins_at_rest: bool,
     /// Whether what comes of it is moved once more in the same way.
@@ -157,6 +159,18 @@ pub enum Chain {
     WithoutRotations,
 }
 
+/// What lies on the matrix stack before the roots are pushed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeftOnStack {
+    /// Nothing.
+    Nothing,
+    /// B of the first root.
+    Root,
+    /// B of the joint that is visited last, where each hangs on the one that is visited before it: once, or multiplied
+    /// by itself so many times as transforms have been computed at rest.
+    LastVisited(usize),
+}
+
 /// What moves a vertex in the space of the bind pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Factors {
@@ -182,6 +196,8 @@ pub enum Factors {
     InverseOfCurrent,
     /// B · T⁻¹.
     InverseOfCurrentFirst,
+    /// B · T.
+    BindNotInvertedFirst,
     /// Nothing: vertices stay as they are in the file.
     Nothing,
 }
@@ -221,6 +237,7 @@ impl Factors {
             Self::BindTransposed => &[Factor::BindTransposed, Factor::Current],
             Self::InverseOfCurrent => &[Factor::Bind, Factor::InverseCurrent],
             Self::InverseOfCurrentFirst => &[Factor::InverseCurrent, Factor::Bind],
+            Self::BindNotInvertedFirst => &[Factor::Current, Factor::Bind],
             Self::Nothing => &[],
         }
     }
@@ -430,6 +447,7 @@ impl Default for Formula {
             written: [1.0; 3],
             other_joint: None,
             hangs_on_visited: [false; 2],
+            left_on_stack: LeftOnStack::Nothing,
             begins_at_rest: false,
             moves_twice: false,
         }

@@ -173,6 +173,9 @@ pub static MISTAKES: &[Mistake] = &[
             reading("by T · Bᵀ, as if B only turned", |formula| {
                 formula.factors = Factors::BindTransposed;
             }),
+            reading("by B · T, the wrong way round as well", |formula| {
+                formula.factors = Factors::BindNotInvertedFirst;
+            }),
         ],
     },
     one_way!(

@@ -1,7 +1,9 @@
 //! Mistakes of a whole program, which are made in few ways: they are tried by themselves before any two together, and
 //! beside each of the others.
 
-use super::formula::{AnglesOf, Chain, Columns, Factors, Kept, Offsets, Rescaled, Rounded};
+use super::formula::{
+    AnglesOf, Chain, Columns, Factors, Kept, LeftOnStack, Offsets, Rescaled, Rounded,
+};
 use super::mistakes::{EVERY_JOINT_COUNTS, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake at roots alone, which other joints do not share.
@@ -16,18 +18,59 @@ static ROOT_ROTATED_FIRST: Mistake = Mistake {
     })],
 };
 
+/// What comes of a stack that no joint is popped from.
+macro_rules! on_visited {
+    ($where:literal) => {
+        concat!(
+            "each joint hangs on the one that was visited before it",
+            $where
+        )
+    };
+}
+
 /// A mistake with the matrix stack.
 static STACK_NOT_POPPED: Mistake = Mistake {
     id: "stack-not-popped",
-    meaning: "the matrix stack is not popped, so that each joint hangs on the one that was visited before it",
+    meaning: "the matrix stack is not popped",
     section: SKELETON,
-    look_at: "the end of the recursion over a joint's children: each push needs its pop",
+    look_at: "the end of the recursion over a joint's children: each push needs its pop, that of the root as well",
     readings: &[
-        reading("in T and in B", |formula| {
+        reading(on_visited!(", in T and in B"), |formula| {
             formula.hangs_on_visited = [true; 2]
         }),
-        reading("in T", |formula| formula.hangs_on_visited = [true, false]),
-        reading("in B", |formula| formula.hangs_on_visited = [false, true]),
+        reading(on_visited!(", in T"), |formula| {
+            formula.hangs_on_visited = [true, false]
+        }),
+        reading(on_visited!(", in B"), |formula| {
+            formula.hangs_on_visited = [false, true]
+        }),
+        reading(
+            on_visited!(", and T goes on with what B has left on it"),
+            |formula| {
+                formula.hangs_on_visited = [true; 2];
+                formula.left_on_stack = LeftOnStack::LastVisited(1);
+            },
+        ),
+        reading(
+            on_visited!(", and T goes on with what B and T at rest have left on it"),
+            |formula| {
+                formula.hangs_on_visited = [true; 2];
+                formula.left_on_stack = LeftOnStack::LastVisited(2);
+            },
+        ),
+        reading(
+            on_visited!(", in T, which goes on with what T at rest has left on it"),
+            |formula| {
+                formula.hangs_on_visited = [true, false];
+                formula.left_on_stack = LeftOnStack::LastVisited(1);
+            },
+        ),
+        reading(
+            "the root stays on it, so that T begins with B of the root",
+            |formula| {
+                formula.left_on_stack = LeftOnStack::Root;
+            },
+        ),
     ],
 };
 
@@ -62,6 +105,25 @@ static ROOT_TRANSLATION_MISSING: Mistake = Mistake {
     })],
 };
 
+/// Another one at roots alone.
+static ROOT_TRANSFORM_MISSING: Mistake = Mistake {
+    id: "root-transform-missing",
+    meaning: "the root's transform, its offset and its rotation, is left out",
+    section: SKELETON,
+    look_at: "the recursion over the joints: it begins with the root itself, not with its children",
+    readings: &[
+        reading("in T and in B", |formula| {
+            formula.joint.offsets = Offsets::ButOfRoots;
+            formula.joint.bind_offsets = Offsets::ButOfRoots;
+            formula.joint.angles_of = AnglesOf::ItselfButRoots;
+        }),
+        reading("in T", |formula| {
+            formula.joint.offsets = Offsets::ButOfRoots;
+            formula.joint.angles_of = AnglesOf::ItselfButRoots;
+        }),
+    ],
+};
+
 /// A mistake in the weighted sum.
 static SUM_OVERWRITTEN: Mistake = Mistake {
     id: "sum-overwritten",
@@ -72,6 +134,13 @@ static SUM_OVERWRITTEN: Mistake = Mistake {
         reading("the last one with a weight counts", |formula| {
             formula.weights.kept = Kept::Last;
         }),
+        reading(
+            "the last one with a weight counts, as if it weighed 1",
+            |formula| {
+                formula.weights.kept = Kept::Last;
+                formula.weights.rescaled = Rescaled::ToOne;
+            },
+        ),
         reading(
             "the last one of all counts, whatever its weight",
             |formula| {
@@ -234,6 +303,10 @@ static INFLUENCES_CUT_FEWER: Mistake = Mistake {
             formula.weights.rescaled = Rescaled::ToOne;
         }),
         reading("the first", |formula| formula.weights.kept = Kept::First(1)),
+        reading("the first, as if it weighed 1", |formula| {
+            formula.weights.kept = Kept::First(1);
+            formula.weights.rescaled = Rescaled::ToOne;
+        }),
         reading("the first two", |formula| {
             formula.weights.kept = Kept::First(2)
         }),
@@ -283,12 +356,13 @@ static WEIGHTS_ROUNDED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 18] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 19] = [
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &STACK_NOT_POPPED,
     &TRANSLATION_OVERWRITTEN,
     &ROOT_TRANSLATION_MISSING,
+    &ROOT_TRANSFORM_MISSING,
     &SUM_BEGUN_AT_REST,
     &SUM_OVERWRITTEN,
     &LAST_RESULT_SKINNED,

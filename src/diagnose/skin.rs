@@ -2,8 +2,8 @@
 
 use super::choices::choices;
 use super::formula::{
-    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept, OtherJoint,
-    Rescaled, Rows, WeightFormula,
+    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept,
+    LeftOnStack, OtherJoint, Rescaled, Rows, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -248,7 +248,24 @@ impl Joints {
             let of = of.filter(|of| *of < angles_of.len());
             of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
         };
-        let current = tree.chained(formula.chain, |joint| {
+        let at_rest = |joint: usize| {
+            let has_offset = own.bind_offsets.counts(is_root(joint), false);
+            let translation = bind_tree.offsets[joint] * f64::from(has_offset);
+            own.parent_from_joint(translation, DVec3::ZERO, false)
+        };
+        let bind = bind_tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
+        let left = match formula.left_on_stack {
+            LeftOnStack::Nothing => None,
+            LeftOnStack::Root => bind_tree.order.first().map(|&root| bind[root]),
+            LeftOnStack::LastVisited(times) => {
+                let visited = model.joints_by(JointsBy::Depth);
+                let last = visited.last().copied();
+                let tree = Tree::new(model, formula.other_joint).on_visited(visited);
+                let bind = tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
+                last.map(|last| std::iter::repeat_n(&bind[last], times).product())
+            }
+        };
+        let current = tree.chained(formula.chain, left.unwrap_or_default(), |joint| {
             let mut translation = DVec3::ZERO;
             let mut angles = DVec3::ZERO;
             let mut moved = DVec3::ZERO;
@@ -262,10 +279,6 @@ impl Joints {
             }
             let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
             own.parent_from_joint(translation, angles, rotates_first)
-        });
-        let bind = bind_tree.chained(formula.bind_chain, |joint| {
-            let has_offset = own.bind_offsets.counts(is_root(joint), false);
-            own.parent_from_joint(offset(joint) * f64::from(has_offset), DVec3::ZERO, false)
         });
         Self {
             current,
@@ -362,13 +375,18 @@ impl Tree {
         self
     }
 
-    /// The transform of each joint from `own`, relative to its parent.
-    fn chained(&self, chain: Chain, own: impl Fn(usize) -> DAffine3) -> Vec<DAffine3> {
+    /// The transform of each joint from `own`, relative to its parent. Roots follow `left`.
+    fn chained(
+        &self,
+        chain: Chain,
+        left: DAffine3,
+        own: impl Fn(usize) -> DAffine3,
+    ) -> Vec<DAffine3> {
         let mut model_from_joint = vec![DAffine3::IDENTITY; self.parents.len()];
         for &joint in &self.order {
             let of_joint = own(joint);
             let Some(parent) = self.parents[joint] else {
-                model_from_joint[joint] = of_joint;
+                model_from_joint[joint] = left * of_joint;
                 continue;
             };
             let model_from_parent = model_from_joint[parent];

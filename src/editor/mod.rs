@@ -40,7 +40,7 @@ pub use ik_tool::IkDrag;
 pub use messages::{Message, Messages, Severity};
 pub use move_tool::{MoveDrag, MoveTarget, root_of};
 pub use movement::MoveAlong;
-pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
+pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, Together, roll};
 pub use selection::{
     BoxMode, duplicates, duplicates_in_place, for_all_in_view, for_all_selected, scene_of_selected,
     set_apart,

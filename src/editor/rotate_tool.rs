@@ -1,5 +1,5 @@
 use super::swing::{Swing, angle_about, snapped, unwound};
-use super::{Edit, GizmoAxes, Session, root_of};
+use super::{Edit, GizmoAxes, Session};
 use crate::math::{DRay, Euler, Ray};
 use crate::scene::ShapeId;
 use glam::{DMat3, DMat4, DQuat, DVec3, Vec3};
@@ -19,32 +19,53 @@ pub struct JointTurn {
     model_from_world: DMat4,
     /// Position of the joint, which a turn does not change.
     center: DVec3,
-    /// The other selected joints, if this is one of them: they turn by as much about the same axis, each about its own
-    /// place, as fingers curl.
+    /// Other selected joints that turn by as much about the same axis, each about its own place.
     others: Vec<Self>,
 }
 
+/// Which of the selected joints turn together if one of them does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Together {
+    /// Every one, as fingers curl; or the roots alone if all are selected, who mean the figure and not that it curls up.
+    #[default]
+    Every,
+    /// Those that hang on no other one, so that a chain stays as it is bent: Blender's way.
+    Topmost,
+}
+
 impl JointTurn {
-    /// Begins to turn `joint` of the character `shape`, and with it all others that are selected if it is one of them;
-    /// or the roots alone if all are, who mean the figure and not that it curls up.
+    /// Begins to turn `joint` of the character `shape`, and with it others that are selected if it is one of them; the
+    /// selected one that it hangs on in its place, if only those on top turn.
     /// `None` if there is no such joint, or the shape is scaled to zero.
-    pub fn begin(session: &Session, shape: ShapeId, joint: usize) -> Option<Self> {
-        let skeleton = session.scene().character(shape)?.character.skeleton();
+    pub fn begin(
+        session: &Session,
+        shape: ShapeId,
+        joint: usize,
+        together: Together,
+    ) -> Option<Self> {
+        let joints = session
+            .scene()
+            .character(shape)?
+            .character
+            .skeleton()
+            .joints();
         let selected = session.selected_joints();
-        let is_of_selected = session.selected() == Some(shape) && selected.contains(&joint);
-        let means_all = is_of_selected && selected.len() == skeleton.joints().len();
-        let joint = match root_of(session, shape, joint) {
-            Some(root) if means_all => root,
-            _ => joint,
-        };
-        let mut turn = Self::of_one(session, shape, joint)?;
-        if is_of_selected {
-            let is_root = |other: usize| root_of(session, shape, other) == Some(other);
-            let others = selected.iter().filter(|other| **other != joint);
-            let others = others.filter(|other| !means_all || is_root(**other));
-            let others = others.filter_map(|&other| Self::of_one(session, shape, other));
-            turn.others = others.collect();
+        if session.selected() != Some(shape) || !selected.contains(&joint) {
+            return Self::of_one(session, shape, joint);
         }
+        let means_all = selected.len() == joints.len();
+        let only_topmost = means_all || together == Together::Topmost;
+        let above = |joint: usize| joints.get(joint).and_then(|joint| joint.parent);
+        let topmost = |joint: usize| {
+            let chain = std::iter::successors(Some(joint), |&joint| above(joint));
+            chain.filter(|joint| selected.contains(joint)).last()
+        };
+        let turned = topmost(joint).filter(|_| only_topmost).unwrap_or(joint);
+        let mut turn = Self::of_one(session, shape, turned)?;
+        let others = selected.iter().copied().filter(|&other| other != turned);
+        let others = others.filter(|&other| !only_topmost || topmost(other) == Some(other));
+        let others = others.filter_map(|other| Self::of_one(session, shape, other));
+        turn.others = others.collect();
         Some(turn)
     }
 
@@ -186,17 +207,17 @@ pub struct BoneDrag {
 }
 
 impl BoneDrag {
-    /// Begins a drag of the bone of `joint` at the point `grabbed`, seen from `eye`, both in the
+    /// Begins a drag of the bone of `joint`, seen from the `eye`, at the point `grabbed`, both in the
     /// world. `None` if there is no such joint, the shape is scaled to zero, or the eye is at the
     /// joint.
     pub fn begin(
         session: &Session,
         shape: ShapeId,
         joint: usize,
-        eye: Vec3,
-        grabbed: Vec3,
+        (eye, grabbed): (Vec3, Vec3),
+        together: Together,
     ) -> Option<Self> {
-        let turn = JointTurn::begin(session, shape, joint)?;
+        let turn = JointTurn::begin(session, shape, joint, together)?;
         let axis = (turn.center() - turn.model_point(eye)).try_normalize()?;
         let to_joint = turn.world_center() - eye.as_dvec3();
         let mut drag = Self {
@@ -268,7 +289,7 @@ pub fn roll(session: &Session, shape: ShapeId, bone: usize, angle: f32) -> Optio
         .character
         .bones()
         .get(bone)?;
-    let turn = JointTurn::begin(session, shape, bone.joint)?;
+    let turn = JointTurn::begin(session, shape, bone.joint, Together::Every)?;
     let figure = session.evaluated().shape(shape)?.geometry.figure.as_ref()?;
     let frame = figure.model_from_joint.get(bone.joint)?;
     let axis = frame
@@ -299,10 +320,10 @@ impl RingDrag {
         shape: ShapeId,
         joint: usize,
         axis: Vec3,
-        grabbed: Vec3,
-        ray: &Ray,
+        (grabbed, ray): (Vec3, &Ray),
+        together: Together,
     ) -> Option<Self> {
-        let turn = JointTurn::begin(session, shape, joint)?;
+        let turn = JointTurn::begin(session, shape, joint, together)?;
         let (grabbed, ray) = (turn.model_point(grabbed), turn.model_ray(ray));
         let swing = Swing::begin(turn.center(), axis.as_dvec3(), grabbed, &ray)?;
         Some(Self::with(turn, swing))

@@ -24,9 +24,12 @@ pub(super) fn unwound(angle: f64, to: f64) -> f64 {
     angle + ((to - angle) / turn).round() * turn
 }
 
-/// Sine of the angle of view below which a ring is pulled along its tangent, since the intersection
+/// Sine of the angle of view below which a ring is pulled along the line that it looks like, since the intersection
 /// of its plane with the cursor's ray is badly conditioned.
 const EDGE_ON: f64 = 0.2;
+
+/// Cosine of the angle to the line of sight from which on a point of a ring is on its far side, not at its end.
+const BEHIND: f64 = 0.1;
 
 /// Radius of a ring that is not shown, relative to the distance of the eye: about that of the gizmo's.
 const FRONT: f64 = 0.1;
@@ -49,7 +52,8 @@ enum How {
         /// That direction at the start, of unit length.
         from: DVec3,
     },
-    /// By the distance along the ring's tangent at the grabbed point.
+    /// By the distance along the ring's tangent where it is nearest to the eye, or farthest from it: that at the grabbed
+    /// point may run along the line of sight.
     Tangent {
         grabbed: DVec3,
         tangent: DVec3,
@@ -69,7 +73,10 @@ impl Swing {
             Some(from) => How::Plane { from },
             None => {
                 let arm = (grabbed - center).reject_from_normalized(axis);
-                let tangent = axis.cross(arm).try_normalize()?;
+                let towards = (ray.origin - center).reject_from_normalized(axis);
+                let towards = towards.try_normalize()?;
+                let is_behind = arm.dot(towards) < -BEHIND * arm.length();
+                let tangent = axis.cross(if is_behind { -towards } else { towards });
                 How::Tangent {
                     grabbed,
                     tangent,
@@ -134,6 +141,24 @@ mod tests {
             // 0.05 upwards at the center are 0.045 at the front of a ring of radius 0.5.
             let turned = swing.angle(&ray(x, y + 0.05), 0.0).unwrap();
             assert!((turned + 0.09).abs() < 0.005, "{x} {y}: {turned}");
+        }
+    }
+
+    #[test]
+    fn a_ring_that_is_seen_edge_on_turns_as_much_wherever_along_its_line_it_is_grabbed() {
+        let eye = DVec3::Z * 5.0;
+        let ray = |y: f64| DRay {
+            origin: eye,
+            direction: DVec3::new(0.0, y, 0.0) - eye,
+        };
+        for degrees in [0.0_f64, 45.0, 80.0, 89.0, 90.0, 91.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let grabbed = DVec3::new(0.0, sin, cos) * 0.3;
+            // Where its point is seen in the plane through the center.
+            let seen = grabbed.y * 5.0 / (5.0 - grabbed.z);
+            let swing = Swing::begin(DVec3::ZERO, DVec3::X, grabbed, &ray(seen)).unwrap();
+            let turned = swing.angle(&ray(seen + 0.03), 0.0).unwrap();
+            assert!((turned + 0.1).abs() < 0.01, "{degrees}: {turned}");
         }
     }
 

@@ -14,7 +14,7 @@ mod page;
 mod report;
 mod rubric;
 mod section;
-mod silhouettes;
+mod settled;
 mod style;
 mod terminal;
 mod test;

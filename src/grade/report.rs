@@ -4,7 +4,7 @@ use super::graded::{Graded, Outcome};
 use super::mistake_section::number;
 use super::name::Name;
 use super::section::{Section, cents, in_cents, notes, points_by_section, sections};
-use super::{rubric, silhouettes, why};
+use super::{rubric, settled, why};
 use crate::diagnose::Mistake;
 use crate::io::{RubricData, TestData, TestKind, TestsFile};
 use serde::Serialize;
@@ -114,7 +114,7 @@ impl Report {
         let possible = sections.iter().filter(|section| !section.extra);
         let possible = in_cents(possible.map(|section| section.possible).sum());
         let submissions = graded.into_iter().map(|(name, mut graded)| {
-            silhouettes::settle(&file.tests, &mut graded);
+            settled::settle(&file.tests, &mut graded);
             let tests: Vec<GradedTest> = file
                 .tests
                 .iter()

@@ -233,7 +233,7 @@ pub(super) fn status(session: &Session, pointing: Pointing) -> Option<(String, &
     } else if is_handle(curve, point) {
         "Drag to move it · it is deleted with the point on the curve beside it"
     } else {
-        "Drag to move it · the curve has as few points as its kind needs"
+        "Drag to move it · a curve of this kind cannot have fewer points"
     };
     let name = format!("{}, control point {}", item.name, point + 1);
     Some((name, pointing.words(with_mouse, "Drag to move it")))
@@ -275,7 +275,7 @@ fn why_it_stays_in_words(curve: &Curve, point: usize) -> &'static str {
     if is_handle(curve, point) {
         "A handle is not deleted by itself: it goes with the point on the curve beside it"
     } else {
-        "This point stays: its curve has as few points as its kind needs. To delete all of the shape, use Delete in \
+        "This point stays: a curve of this kind cannot have fewer points. To delete all of the shape, use Delete in \
          the panel"
     }
 }

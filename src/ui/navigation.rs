@@ -1,5 +1,6 @@
 use super::commands::{Gesture, gesture};
 use super::turning_keys::{TURN_GESTURES, turned};
+use crate::editor::Together;
 use crate::scene::{Camera, Look};
 use crate::ui::pointing::Pointing;
 use egui::{Context, Event, Id, InputState, Key, Modifiers, PointerButton, Response};
@@ -234,6 +235,14 @@ impl Navigation {
             Self::Blender if is_pressed(&[Key::Z]) => Some(WHERE_SHADING_IS),
             _ if look == Look::Mannequin && is_pressed(OF_THE_MANNEQUIN) => Some(WHY_NOTHING),
             _ => None,
+        }
+    }
+
+    /// Which of the selected joints turn together.
+    pub(super) fn together(self) -> Together {
+        match self {
+            Self::Blender => Together::Topmost,
+            Self::Course | Self::Orbit | Self::Mannequin => Together::Every,
         }
     }
 

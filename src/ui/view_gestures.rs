@@ -55,6 +55,7 @@ fn gestures(
         return None;
     }
     let navigation = state.navigation;
+    state.pose.together = navigation.together();
     let box_of = |state: &mut UiState, under, actions: &mut Vec<Action>| {
         let boxed = (&mut state.box_select, navigation, state.pose.tool);
         box_select::pointer(view, places, session, boxed, under, actions)

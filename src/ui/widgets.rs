@@ -156,14 +156,13 @@ fn buttons<T: Copy + PartialEq>(
 pub(super) enum ListMove {
     Up,
     Down,
-    First,
-    Last,
     Left,
     Right,
 }
 
 /// The move whose key was pressed while `row` of a list has the keyboard focus. Arrow keys then act
-/// on the list instead of moving the focus to the next widget in that direction.
+/// on the list instead of moving the focus to the next widget in that direction. Home is no such key: it is about the
+/// view, also for who has just chosen in a list what to look at.
 pub(super) fn list_move(ui: &Ui, row: &Response) -> Option<ListMove> {
     if !row.has_focus() {
         return None;
@@ -174,20 +173,14 @@ pub(super) fn list_move(ui: &Ui, row: &Response) -> Option<ListMove> {
         ..EventFilter::default()
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(row.id, filter));
-    // With the pointer over something else, Home is about that.
-    let pointer = ui.input(|input| input.pointer.latest_pos());
-    let is_elsewhere = pointer.is_some_and(|at| !ui.clip_rect().x_range().contains(at.x));
     ui.input_mut(|input| {
         [
             (Key::ArrowUp, ListMove::Up),
             (Key::ArrowDown, ListMove::Down),
-            (Key::Home, ListMove::First),
-            (Key::End, ListMove::Last),
             (Key::ArrowLeft, ListMove::Left),
             (Key::ArrowRight, ListMove::Right),
         ]
         .into_iter()
-        .filter(|(key, _)| !is_elsewhere || !matches!(key, Key::Home | Key::End))
         .find(|&(key, _)| input.consume_key(Modifiers::NONE, key))
         .map(|(_, movement)| movement)
     })
@@ -199,8 +192,6 @@ pub(super) fn moved(movement: ListMove, at: usize, count: usize) -> Option<usize
     match movement {
         ListMove::Up => Some(at.saturating_sub(1)),
         ListMove::Down => Some((at + 1).min(last)),
-        ListMove::First => Some(0),
-        ListMove::Last => Some(last),
         ListMove::Left | ListMove::Right => None,
     }
 }

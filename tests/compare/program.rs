@@ -286,6 +286,24 @@ fn meshes_are_compared_by_vertex() {
 }
 
 #[test]
+fn the_vertices_of_either_mesh_are_enough() {
+    let folder = meshes();
+    fs::write(
+        folder.path().join("alone.txt"),
+        "v 0 0 0\nv 1 0 0\nv 0 2 0\n",
+    )
+    .unwrap();
+    for pair in [["a.obj", "alone.txt"], ["alone.txt", "a.obj"]] {
+        let (code, out, err) = compare(&folder, &pair);
+        assert_eq!(code, 0, "{out}{err}");
+        assert!(err.contains("warning: alone.txt"), "{err}");
+    }
+    let (code, _, err) = compare(&folder, &["alone.txt", "alone.txt"]);
+    assert_eq!(code, 1);
+    assert!(err.contains("expected faces"), "{err}");
+}
+
+#[test]
 fn a_mesh_that_is_bent_at_an_elbow_is_told_by_that_joint() {
     let folder = tempfile::tempdir().unwrap();
     let bent = r#"{"joints": {"Left elbow": [0, 0, 25]}}"#;

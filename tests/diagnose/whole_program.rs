@@ -109,6 +109,12 @@ fn a_sum_that_each_joint_overwrites_is_named() {
         "sum-overwritten",
         "the last one with a weight counts",
     );
+    let last_as_one = Student {
+        weights: |weights| to_one(weights.last().copied().into_iter().collect()),
+        ..RIGHT
+    };
+    let how = "the last one with a weight counts, as if it weighed 1";
+    assert_named(&of(&last_as_one, 64), "sum-overwritten", how);
     let last_of_all = Student {
         weights: |mut weights| {
             weights.retain(|(joint, _)| *joint == 17);
@@ -272,7 +278,7 @@ fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
 }
 
 #[test]
-fn the_inverse_of_the_wrong_matrix_is_named_with_the_product() {
+fn the_inverse_of_the_wrong_matrix_or_of_none_is_named_with_the_product() {
     let figure = Figure::builtin("adult", turned(85));
     let of_product = |product: fn(Mat4, Mat4) -> Mat4| {
         let found = Student { product, ..RIGHT }.skin(&figure);
@@ -287,6 +293,11 @@ fn the_inverse_of_the_wrong_matrix_is_named_with_the_product() {
         &of_product(|t, b| b * t.inverse()),
         "wrong-inverse",
         "B · T⁻¹",
+    );
+    assert_named(
+        &of_product(|t, b| b * t),
+        "bind-not-inverted",
+        "by B · T, the wrong way round as well",
     );
 }
 
@@ -333,6 +344,10 @@ fn fewer_weights_than_four_are_named_with_their_number() {
             "the three largest, divided by their sum",
         ),
         (|weights| weights.into_iter().take(1).collect(), "the first"),
+        (
+            |weights| to_one(weights.into_iter().take(1).collect()),
+            "the first, as if it weighed 1",
+        ),
         (
             |weights| weights.into_iter().take(2).collect(),
             "the first two",
@@ -429,9 +444,29 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
 
     let root = figure.parents.iter().position(Option::is_none).unwrap();
     let offset = figure.offsets[root];
-    let moved: Vec<Vec3> = RIGHT.skin(&figure).iter().map(|at| *at - offset).collect();
-    let found = figure.diagnose(&written(&moved, 6));
+    let all_turned = Figure::builtin("adult", turned(67));
+    let without_offset = |figure: &Figure| -> Vec<Vec3> {
+        let skinned = RIGHT.skin(figure).into_iter();
+        skinned.map(|at| at - offset).collect()
+    };
+    let found = all_turned.diagnose(&written(&without_offset(&all_turned), 6));
     assert_named(&found, "root-translation-missing", "");
+    // Of a root that is not turned the offset is all.
+    let found = figure.diagnose(&written(&without_offset(&figure), 6));
+    let both = ["root-translation-missing", "root-transform-missing"];
+    assert_eq!(found.causes, both, "{found}");
+
+    // The recursion begins with the children of the root.
+    let mut without_root = Figure::builtin("adult", |joint| match joint == root {
+        true => Vec3::ZERO,
+        false => turned(67)(joint),
+    });
+    without_root.offsets[root] = Vec3::ZERO;
+    let found = all_turned.diagnose(&written(&RIGHT.skin(&without_root), 6));
+    assert_named(&found, "root-transform-missing", "in T and in B");
+    without_root.offsets[root] = offset;
+    let found = all_turned.diagnose(&written(&without_offset(&without_root), 6));
+    assert_named(&found, "root-transform-missing", "in T");
 
     let mut of_root = Figure::builtin("adult", turns_some);
     for (joint, offset) in of_root.offsets.iter_mut().enumerate() {
@@ -528,7 +563,64 @@ fn a_stack_that_is_not_popped_is_named() {
     visit(&mut wrong);
     let found = figure.diagnose(&written(&RIGHT.skin(&wrong), 6));
     assert_eq!(found.causes, ["stack-not-popped"], "{found}");
-    assert!(found.to_string().contains("(in T and in B)"), "{found}");
+    let how = "each joint hangs on the one that was visited before it, in T and in B";
+    assert_named(&found, "stack-not-popped", how);
+}
+
+/// The product of what a program has on its matrix stack.
+type Stack = Vec<Mat4>;
+
+/// Pushes what `own` has for `joint` and then for those that hang on it, and pops nothing. Fills `kept` with the tops.
+fn push_all(figure: &Figure, own: &[Mat4], joint: usize, stack: &mut Stack, kept: &mut [Mat4]) {
+    let top = stack.last().copied().unwrap_or_default() * own[joint];
+    stack.push(top);
+    kept[joint] = top;
+    for child in (0..own.len()).filter(|&child| figure.parents[child] == Some(joint)) {
+        push_all(figure, own, child, stack, kept);
+    }
+}
+
+#[test]
+fn a_stack_on_which_t_goes_on_where_b_ended_is_named() {
+    let figure = Figure::builtin("adult", turned(59));
+    let [own, own_at_rest] = own_transforms(&figure);
+    let root = figure.parents.iter().position(Option::is_none).unwrap();
+    let begins = "each joint hangs on the one that was visited before it";
+    for (computed, and) in [
+        (
+            &[&own_at_rest, &own][..],
+            "and T goes on with what B has left on it",
+        ),
+        (
+            &[&own_at_rest, &own_at_rest, &own],
+            "and T goes on with what B and T at rest have left on it",
+        ),
+    ] {
+        let mut stack = Stack::new();
+        let kept = computed.iter().map(|own| {
+            let mut kept = own.to_vec();
+            push_all(&figure, own, root, &mut stack, &mut kept);
+            kept
+        });
+        let kept: Vec<Vec<Mat4>> = kept.collect();
+        let (b, t) = (&kept[0], &kept[kept.len() - 1]);
+        let found = moved_by(&figure, |joint| t[joint] * b[joint].inverse());
+        assert_named(&found, "stack-not-popped", &format!("{begins}, {and}"));
+    }
+    // The stack of T alone is not popped, and was filled at rest before.
+    let skeleton = figure.character.skeleton();
+    let [t, b] = [&figure.pose(), &Pose::new()]
+        .map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    let (mut stack, mut kept) = (Stack::new(), own.clone());
+    push_all(&figure, &own_at_rest, root, &mut stack, &mut kept);
+    push_all(&figure, &own, root, &mut stack, &mut kept);
+    let found = moved_by(&figure, |joint| kept[joint] * b[joint].inverse());
+    let and = "in T, which goes on with what T at rest has left on it";
+    assert_named(&found, "stack-not-popped", &format!("{begins}, {and}"));
+    // Only the root is pushed without a pop.
+    let found = moved_by(&figure, |joint| b[root] * t[joint] * b[joint].inverse());
+    let how = "the root stays on it, so that T begins with B of the root";
+    assert_named(&found, "stack-not-popped", how);
 }
 
 #[test]

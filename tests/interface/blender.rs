@@ -185,7 +185,9 @@ fn with_a_bone_at_hand_g_moves_a_root_or_turns_the_bone_and_no_key_the_whole_cha
     editor.harness.hover_at(from + vec2(40.0, 20.0));
     editor.settle();
     editor.key(Key::Enter);
-    assert_ne!(editor.place_of(0), before, "without a joint, the character");
+    assert_eq!(editor.place_of(0), before, "and without a joint nothing");
+    let last = editor.last_told().unwrap_or_default();
+    assert!(last.starts_with("No joint is selected"), "{last}");
 }
 
 #[test]

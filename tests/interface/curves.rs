@@ -406,7 +406,10 @@ fn the_status_line_promises_delete_only_for_points_that_it_deletes() {
         let mut hints = texts.filter(|text| text.starts_with("Drag to move it"));
         hints.next().unwrap_or_default()
     };
-    assert!(over(&mut editor, 0).contains("as few points"), "one piece");
+    assert!(
+        over(&mut editor, 0).contains("cannot have fewer points"),
+        "one piece"
+    );
     editor.click("Add behind 1. curve point 4");
     for (point, says) in [
         (0, "Delete removes it"),

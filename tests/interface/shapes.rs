@@ -27,8 +27,8 @@ fn a_shape_is_selected_in_the_list_by_click_and_by_keyboard() {
     editor.key(Key::ArrowDown);
     editor.key(Key::ArrowDown);
     assert_eq!(editor.session().selected(), Some(ShapeId(3)), "the last");
-    editor.key(Key::Home);
-    assert_eq!(editor.session().selected(), Some(ShapeId(1)));
+    editor.key(Key::ArrowUp);
+    assert_eq!(editor.session().selected(), Some(ShapeId(2)));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::posing::support::{
     SIZE, cameras, pixel, poses, session, transforms, vector, world_from_joint,
 };
-use editor_core::editor::{BoneDrag, Edit, RingDrag, Session, roll};
+use editor_core::editor::{BoneDrag, Edit, RingDrag, Session, Together, roll};
 use editor_core::math::Ray;
 use editor_core::scene::{Camera, ShapeId, bones_in_world};
 use glam::{DMat4, DVec2, DVec3, Mat3, Vec2, Vec3};
@@ -58,7 +58,7 @@ proptest! {
         let (center, held) = (center.unwrap(), held.unwrap());
         // A cursor or a grip on the joint says nothing about a direction.
         prop_assume!(center.distance(cursor.as_dvec2()) > 3.0 && center.distance(held) > 3.0);
-        let mut drag = BoneDrag::begin(&session, id, joint, camera.eye(), grabbed).unwrap();
+        let mut drag = BoneDrag::begin(&session, id, joint, (camera.eye(), grabbed), Together::Every).unwrap();
         for at in [way, cursor] {
             if let Some(edit) = drag.update(&session, &camera.ray(at, SIZE), false) {
                 session.edit(edit).unwrap();
@@ -82,7 +82,7 @@ proptest! {
         let start = world_from_joint(&session, id, 2).w_axis;
         let shape = session.evaluated().shape(id).unwrap();
         let (.., end) = bones_in_world(session.scene(), shape).nth(2).unwrap();
-        let mut drag = BoneDrag::begin(&session, id, 2, camera.eye(), end).unwrap();
+        let mut drag = BoneDrag::begin(&session, id, 2, (camera.eye(), end), Together::Every).unwrap();
         session.begin_gesture();
         let ray = camera.ray(SIZE * Vec2::from(cursor), SIZE);
         if let Some(edit) = drag.update(&session, &ray, false) {
@@ -131,7 +131,7 @@ proptest! {
         let turned = glam::Quat::from_axis_angle(axis, angle) * arm;
         let through = |point: Vec3| camera.ray(pixel(&session, point).unwrap(), SIZE);
         let (from, to) = (through(center + arm), through(center + turned));
-        let mut drag = RingDrag::begin(&session, id, 1, axis, center + arm, &from).unwrap();
+        let mut drag = RingDrag::begin(&session, id, 1, axis, (center + arm, &from), Together::Every).unwrap();
         let before = world_from_joint(&session, id, 1);
         let edit = drag.update(&session, &to, false).unwrap();
         session.edit(edit).unwrap();
@@ -169,7 +169,8 @@ fn a_ring_seen_edge_on_turns_the_way_in_which_it_is_pulled() {
     ] {
         let grabbed = center + side * 0.2;
         let (from, to) = (through(grabbed), through(grabbed + pulled * 0.1));
-        let mut drag = RingDrag::begin(&session, id, 1, Vec3::Y, grabbed, &from).unwrap();
+        let mut drag =
+            RingDrag::begin(&session, id, 1, Vec3::Y, (grabbed, &from), Together::Every).unwrap();
         let edit = drag.update(&session, &to, false).unwrap();
         assert!((drag.angle() - angle).abs() < 1e-5, "{}", drag.angle());
         let Edit::SetJointTransform { rotation, .. } = edit else {
@@ -189,7 +190,14 @@ fn a_cursor_on_the_joint_turns_nothing() {
     let camera = Camera::default();
     let (session, id) = session(camera, Default::default(), &Default::default());
     let center = world_from_joint(&session, id, 1).w_axis.truncate();
-    let mut drag = BoneDrag::begin(&session, id, 1, camera.eye(), center + Vec3::Y * 0.1).unwrap();
+    let mut drag = BoneDrag::begin(
+        &session,
+        id,
+        1,
+        (camera.eye(), center + Vec3::Y * 0.1),
+        Together::Every,
+    )
+    .unwrap();
     let ray = camera.ray(pixel(&session, center).unwrap(), SIZE);
     let edit = drag.update(&session, &ray, false).unwrap();
     let Edit::SetJointTransform { rotation, .. } = edit else {
@@ -206,7 +214,16 @@ fn a_shape_scaled_to_nothing_cannot_be_dragged_and_nothing_panics() {
         ..Default::default()
     };
     let (session, id) = session(camera, flat, &Default::default());
-    assert!(BoneDrag::begin(&session, id, 1, camera.eye(), Vec3::Y).is_none());
-    assert!(BoneDrag::begin(&session, ShapeId(99), 1, camera.eye(), Vec3::Y).is_none());
-    assert!(BoneDrag::begin(&session, id, 99, camera.eye(), Vec3::Y).is_none());
+    assert!(BoneDrag::begin(&session, id, 1, (camera.eye(), Vec3::Y), Together::Every).is_none());
+    assert!(
+        BoneDrag::begin(
+            &session,
+            ShapeId(99),
+            1,
+            (camera.eye(), Vec3::Y),
+            Together::Every
+        )
+        .is_none()
+    );
+    assert!(BoneDrag::begin(&session, id, 99, (camera.eye(), Vec3::Y), Together::Every).is_none());
 }

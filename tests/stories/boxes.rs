@@ -122,7 +122,7 @@ fn delete_after_a_click_on_a_control_point_deletes_that_point_alone() {
     assert_eq!(points(&story).len(), 4);
     let (severity, text) = *story.messages().last().expect("it says why");
     assert!(
-        severity == Severity::Info && text.contains("as few points"),
+        severity == Severity::Info && text.contains("cannot have fewer points"),
         "{text}"
     );
     story.key_with(Modifiers::COMMAND, Key::Z);

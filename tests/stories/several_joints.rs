@@ -94,6 +94,56 @@ fn joints_that_are_added_in_the_view_turn_together_about_the_axis_that_is_typed(
 }
 
 #[test]
+fn of_a_selected_chain_the_topmost_joint_alone_turns_as_in_blender() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let chain = ["Chest", "Waist"];
+    story.click(chain[0]);
+    let below = story.place(chain[1]);
+    story.add_by_click(below);
+    assert_eq!(
+        story.session().selected_joint(),
+        Some(story.joint(chain[1])),
+        "the one below is the active one"
+    );
+    let r_x_30 = [Key::R, Key::X, Key::Num3, Key::Num0, Key::Enter];
+    r_x_30.map(|key| story.key(key));
+    let expected = [Vec3::new(30.0, 0.0, 0.0), Vec3::ZERO];
+    for (joint, expected) in chain.iter().zip(expected) {
+        let degrees = story.degrees(joint);
+        assert!(degrees.abs_diff_eq(expected, 1e-2), "{joint} {degrees}");
+    }
+    // In the others each turns, as fingers curl.
+    story.program.ui_mut().set_navigation(Navigation::Orbit);
+    story.type_into("Waist X", "20");
+    assert!((story.degrees(chain[0]).x - 50.0).abs() < 1e-2);
+}
+
+#[test]
+fn with_no_joint_selected_a_key_says_so_and_leaves_the_figure_that_is_posed() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    story.click("Waist");
+    story.key_with(Modifiers::ALT, Key::A);
+    let before = story.session().document();
+    for key in [Key::R, Key::G] {
+        story.key(key);
+        let (_, said) = *story.messages().last().expect("it says why");
+        assert!(said.starts_with("No joint is selected"), "{said}");
+    }
+    story.key(Key::S);
+    let (_, said) = *story.messages().last().unwrap();
+    assert!(said.starts_with("A bone only turns"), "{said}");
+    assert_eq!(story.session().document(), before);
+    assert!(!story.session().is_in_gesture());
+    story.key(Key::V);
+    story.key(Key::G);
+    assert!(story.session().is_in_gesture(), "the character is moved");
+}
+
+#[test]
 fn while_a_figure_is_posed_a_box_and_select_all_are_about_its_joints() {
     let mut story = Story::start(&["builtin:adult"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);

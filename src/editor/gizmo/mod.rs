@@ -89,12 +89,18 @@ impl Screen {
 /// Search for the handle that is nearest to a pixel.
 struct Nearest {
     pixel: Vec2,
+    /// Pixels that what is considered counts as farther away.
+    handicap: f32,
     found: Option<(f32, GizmoHit)>,
 }
 
 impl Nearest {
     fn new(pixel: Vec2) -> Self {
-        Self { pixel, found: None }
+        Self {
+            pixel,
+            handicap: 0.0,
+            found: None,
+        }
     }
 
     /// Considers a segment of a handle, given by its ends in the picture and in the world.
@@ -113,9 +119,10 @@ impl Nearest {
 
     /// Considers a handle at a distance in pixels.
     fn offer(&mut self, distance: f32, hit: GizmoHit) {
-        let nearer = self.found.is_none_or(|(best, _)| distance < best);
+        let counted = distance + self.handicap;
+        let nearer = self.found.is_none_or(|(best, _)| counted < best);
         if distance <= REACH && nearer {
-            self.found = Some((distance, hit));
+            self.found = Some((counted, hit));
         }
     }
 

@@ -1,5 +1,5 @@
 use super::{GizmoAxes, GizmoHit, Handle, Nearest, Screen};
-use crate::editor::rotate_tool::JointTurn;
+use crate::editor::rotate_tool::{JointTurn, Together};
 use crate::editor::{Session, ShapeGroup};
 use crate::scene::ShapeId;
 use glam::{Mat3, Vec2, Vec3};
@@ -9,6 +9,9 @@ const PIECES: usize = 64;
 /// Cosine of the angle between a ring's axis and the line of sight above which the whole ring is in
 /// front.
 const FACING: f32 = 0.9;
+/// Pixels by which a ring that is seen edge-on counts as farther from the pointer than one that faces the eye: where two
+/// cross, the latter is the one along which the pointer can go.
+const EDGE_ON_HANDICAP: f32 = 6.0;
 
 /// Gizmo to rotate a joint or shapes: three rings about axes, and one about the line of sight.
 ///
@@ -26,6 +29,9 @@ pub struct RotationGizmo {
 struct Ring {
     /// Axis in the character's space, or for shapes in the world, of unit length.
     axis: Vec3,
+    /// Cosine of the angle between the normal of its plane in the world and the line of sight: 0 for a ring that is seen
+    /// edge-on.
+    facing: f32,
     points: Vec<RingPoint>,
 }
 
@@ -59,7 +65,7 @@ impl RotationGizmo {
             camera: session.view().camera,
             size,
         };
-        let turn = JointTurn::begin(session, shape, joint)?;
+        let turn = JointTurn::begin(session, shape, joint, Together::Every)?;
         let evaluated = session.evaluated().shape(shape)?;
         let figure = evaluated.geometry.figure.as_ref()?;
         let frame = Mat3::from_mat4(*figure.model_from_joint.get(joint)?);
@@ -125,6 +131,8 @@ impl RotationGizmo {
     pub fn hit(&self, pixel: Vec2) -> Option<GizmoHit> {
         let mut nearest = Nearest::new(pixel);
         for axis in 0..3 {
+            let facing = self.rings[axis].as_ref().map_or(0.0, |ring| ring.facing);
+            nearest.handicap = EDGE_ON_HANDICAP * (1.0 - facing);
             for piece in self.ring(axis).windows(2) {
                 let (a, b) = (piece[0], piece[1]);
                 if a.front && b.front {
@@ -133,6 +141,7 @@ impl RotationGizmo {
                 }
             }
         }
+        nearest.handicap = 0.0;
         let distance = pixel.distance(self.center_pixel);
         let ray = self.screen.ray(pixel);
         let hit = GizmoHit {
@@ -168,6 +177,7 @@ fn ring(screen: &Screen, center: Vec3, stretch: Mat3, axis: Vec3, radius: f32) -
     });
     Some(Ring {
         axis,
+        facing,
         points: points.collect::<Option<_>>()?,
     })
 }

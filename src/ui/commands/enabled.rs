@@ -113,8 +113,8 @@ fn has_files(session: &Session) -> bool {
     session.scene().shapes().iter().any(needs)
 }
 
-/// Why nothing can be done to the selection with the pointer. With a tool that poses and a bone at hand, all
-/// of the character would move in place of it.
+/// Why nothing can be done to the selection with the pointer. With a tool that poses, all of the character would move in
+/// place of a bone.
 fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'static str> {
     let Some(id) = session.selected() else {
         return Some("No shape is selected");
@@ -124,14 +124,25 @@ fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'sta
     if !is_free {
         return Some("The selected shape is hidden or locked");
     }
-    let joint = session.selected_joint();
-    let joint = joint.filter(|_| matches!(tool, Tool::Pose | Tool::Ik))?;
+    if !matches!(tool, Tool::Pose | Tool::Ik) || session.scene().character(id).is_none() {
+        return None;
+    }
+    let Some(joint) = session.selected_joint() else {
+        // Who has just clicked beside a bone does not mean the whole figure.
+        return Some(match does {
+            Tool::Rotate => {
+                "No joint is selected: click one. The Select tool (V) turns the character"
+            }
+            Tool::Scale => "A bone only turns (R). The Select tool (V) scales the character",
+            _ => "No joint is selected: click one. The Select tool (V) moves the character",
+        });
+    };
     match does {
         Tool::Move if tool == Tool::Pose && root_of(session, id, joint) != Some(joint) => Some(
-            "Only the root moves: a bone turns (R). With no joint selected (Esc), G moves the character",
+            "Only the root moves: a bone turns (R). With the Select tool (V), G moves the character",
         ),
         Tool::Scale => {
-            Some("A bone only turns (R). With no joint selected (Esc), S scales the character")
+            Some("A bone only turns (R). With the Select tool (V), S scales the character")
         }
         _ => None,
     }

@@ -17,7 +17,7 @@ pub(super) use tool_bar::BAR_HEIGHT;
 pub(super) use typed::Typed;
 
 use super::scene_places::{Picked, Place, ScenePlaces};
-use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
+use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Together, Tool, View, root_of};
 use crate::revision::Revision;
 use crate::scene::{BoneHit, Look, ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
@@ -33,6 +33,8 @@ pub(super) struct PoseState {
     pub tool: Tool,
     /// Axes of gizmos.
     pub axes: GizmoAxes,
+    /// Which of the selected joints turn together, as the navigation has it.
+    pub together: Together,
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
@@ -82,6 +84,7 @@ impl PoseState {
         *self = Self {
             tool: self.tool,
             axes: self.axes,
+            together: self.together,
             ..Self::default()
         };
     }
@@ -173,11 +176,16 @@ pub(super) fn take_keys(ctx: &Context, state: &mut PoseState) -> bool {
     is_turned && ctx.input(|input| input.key_pressed(Key::R))
 }
 
-/// Shows the gizmo of a joint that is selected by a click, in the view or in the list.
+/// Shows the gizmo of a joint that is selected by a click, in the view or in the list. Once none is selected any more,
+/// the one that was let go last is not at hand, either.
 pub(super) fn notice_selection(state: &mut PoseState, actions: &[Action]) {
     let selects = |action: &Action| matches!(action, Action::View(View::SelectJoint(Some(_))));
+    let deselects = |action: &Action| matches!(action, Action::View(View::SelectJoint(None)));
     if actions.iter().any(selects) {
         state.without_gizmo = None;
+    }
+    if actions.iter().any(deselects) {
+        state.let_go = None;
     }
 }
 

@@ -270,7 +270,13 @@ fn take(
 
 fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<Drag> {
     let eye = session.view().camera.eye();
-    let drag = BoneDrag::begin(session, hit.shape, hit.joint, eye, hit.point)?;
+    let drag = BoneDrag::begin(
+        session,
+        hit.shape,
+        hit.joint,
+        (eye, hit.point),
+        state.together,
+    )?;
     state.without_gizmo = Some((hit.shape, hit.joint));
     Some(Drag::Bone(drag))
 }

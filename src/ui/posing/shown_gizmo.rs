@@ -92,7 +92,13 @@ impl Gizmo {
         let drag = match (self, hit.handle) {
             (&Self::Turn { shape, joint, .. }, Handle::FreeRing) => {
                 let eye = session.view().camera.eye();
-                Drag::Bone(BoneDrag::begin(session, shape, joint, eye, hit.point)?)
+                Drag::Bone(BoneDrag::begin(
+                    session,
+                    shape,
+                    joint,
+                    (eye, hit.point),
+                    state.together,
+                )?)
             }
             (
                 Self::Turn {
@@ -105,7 +111,12 @@ impl Gizmo {
                 let axis = rings.axis(axis)?;
                 let grabbed = hit.point;
                 Drag::Ring(RingDrag::begin(
-                    session, *shape, *joint, axis, grabbed, &ray,
+                    session,
+                    *shape,
+                    *joint,
+                    axis,
+                    (grabbed, &ray),
+                    state.together,
                 )?)
             }
             (Self::TurnShapes(rings), handle) => {
@@ -196,7 +207,13 @@ pub(super) fn begin_by_key(
         (Tool::Rotate, Some(joint)) => {
             let eye = camera.eye();
             let point = ray.at(1.0);
-            Drag::Bone(BoneDrag::begin(session, shape, joint, eye, point)?)
+            Drag::Bone(BoneDrag::begin(
+                session,
+                shape,
+                joint,
+                (eye, point),
+                state.together,
+            )?)
         }
         (Tool::Rotate, None) => {
             let group = ShapeGroup::of_selected(session)?;

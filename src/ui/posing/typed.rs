@@ -151,7 +151,11 @@ impl Typed {
 
     /// What was typed for the number, with a mark where typing goes on; `None` if there is nothing.
     pub(super) fn shown(&self) -> Option<String> {
-        (!self.text.is_empty()).then(|| format!("{}|", self.text.replace('-', "−")))
+        let after = match self.is_ended {
+            true => " (one number alone; Backspace goes on with it)",
+            false => "|",
+        };
+        (!self.text.is_empty()).then(|| format!("{}{after}", self.text.replace('-', "−")))
     }
 
     /// Whether Enter was pressed.
@@ -179,9 +183,12 @@ mod tests {
         assert!(typed.take(Key::Tab, false));
         "0.2".chars().for_each(|digit| typed.push(digit));
         assert_eq!(typed.amount(), Some(0.4));
+        let shown = typed.shown().unwrap();
+        assert_eq!(shown, "0.4 (one number alone; Backspace goes on with it)");
         assert!(typed.take(Key::Backspace, false));
         typed.push('5');
         assert_eq!(typed.amount(), Some(0.45));
+        assert_eq!(typed.shown().unwrap(), "0.45|");
     }
 
     #[test]
