@@ -122,7 +122,7 @@ impl Test {
         let bytes = &*in_utf8(bytes);
         let is_text = std::str::from_utf8(bytes).is_ok();
         if is_text && !bytes.split(|&byte| byte == b'\n').any(is_vertex) {
-            return Graded::without(Outcome::Blank, "the file has no vertices");
+            return Graded::without(Outcome::Blank, no_vertices(bytes));
         }
         let no_numbers = NoNumbers::find(bytes);
         let readable = no_numbers.as_ref().map_or(bytes, |found| &found.without);
@@ -381,4 +381,25 @@ impl Write for Digest {
         self.0.update(text.as_bytes());
         Ok(())
     }
+}
+
+/// That a file has no vertices, and whether it has what may be meant for them.
+fn no_vertices(bytes: &[u8]) -> String {
+    let is_number = |word: &[u8]| {
+        let word = std::str::from_utf8(word).unwrap_or_default();
+        word.parse::<f64>().is_ok()
+    };
+    let has_three = |line: &&[u8]| {
+        let words = line.split(|byte| byte.is_ascii_whitespace() || *byte == b',');
+        let mut words = words.filter(|word| !word.is_empty());
+        let mut numbers = words.by_ref().skip_while(|word| **word == *b"V");
+        (0..3).all(|_| numbers.next().is_some_and(is_number))
+    };
+    let lines = bytes.split(|&byte| byte == b'\n').filter(has_three).count();
+    let begins = match lines {
+        0 => return "the file has no vertices".to_owned(),
+        1 => "1 line with three numbers begins".to_owned(),
+        lines => format!("{lines} lines with three numbers begin"),
+    };
+    format!("the file has no vertices: {begins} without the v of v x y z")
 }

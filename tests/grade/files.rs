@@ -103,6 +103,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("dan", ""),
         ("eve", "\n \n"),
         ("fay", "# nothing yet\n"),
+        ("flo", "0.5, 1, -2e-3\nV 1 2 3\n1 2\n"),
         ("gus", &origin),
         ("hal", cut),
         ("ida", &nan),
@@ -136,6 +137,11 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("dan", "blank", "the file is empty"),
         ("eve", "blank", "the file is empty"),
         ("fay", "blank", "the file has no vertices"),
+        (
+            "flo",
+            "blank",
+            "the file has no vertices: 2 lines with three numbers begin without the v of v x y z",
+        ),
         ("gus", "blank", "all vertices are in one place"),
         ("hal", "unreadable", "adult-1.obj"),
         (

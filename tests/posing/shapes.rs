@@ -36,6 +36,30 @@ fn group(session: &Session) -> ShapeGroup {
     ShapeGroup::of_selected(session).expect("shapes are selected")
 }
 
+/// Where rings cross, the pointer can go along the one that faces the eye alone.
+#[test]
+fn at_the_top_and_at_the_side_of_the_ring_that_faces_the_eye_it_is_that_which_is_hit() {
+    let camera = Camera {
+        theta: 1.3,
+        phi: 0.15,
+        ..Camera::default()
+    };
+    for camera in [Camera::default(), camera] {
+        let session = cubes(camera, &[Transform::IDENTITY]);
+        let rings = RotationGizmo::of_shapes(&session, GizmoAxes::World, SIZE).unwrap();
+        let sight = camera.eye().normalize();
+        let axis = sight.abs().max_position();
+        let front = rings.ring(axis).iter().filter(|point| point.front);
+        let mut count = 0;
+        for point in front {
+            let hit = rings.hit(point.pixel).map(|hit| hit.handle);
+            assert_eq!(hit, Some(Handle::Ring(axis)), "{camera:?} {point:?}");
+            count += 1;
+        }
+        assert!(count > 30, "{count}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 

@@ -25,7 +25,7 @@ pub(super) fn missing(folder: &Path, name: &str, of_others: &[String]) -> String
     let is_like = |found: &&PathBuf| {
         let found = name_of(found);
         let is_of_other = of_others.iter().any(|other| found == other.to_lowercase());
-        found.contains(&stem.to_lowercase()) && !is_of_other
+        joined(&found).contains(&joined(&stem.to_lowercase())) && !is_of_other
     };
     if let Some(found) = files.iter().find(is_like) {
         let found = within(folder, found);
@@ -109,6 +109,11 @@ fn files_within(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
+/// A name without what joins its words.
+fn joined(name: &str) -> String {
+    name.replace(['-', '_', ' '], "")
+}
+
 /// The name of a file in small letters.
 fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default();
@@ -170,6 +175,10 @@ mod tests {
             (
                 &["my Walk (1).obj"],
                 "my Walk (1).obj is there, whose name is like it",
+            ),
+            (
+                &["w-a_lk.obj"],
+                "w-a_lk.obj is there, whose name is like it",
             ),
             (
                 &["src/hw2.tar.gz", "main.cpp"],
