@@ -129,6 +129,18 @@ fn lines_that_are_no_axes_are_not_called_so() {
     );
     let gray = AXES.map(|(from, to, _)| (from, to, [140; 3]));
     assert!(!is_found(&without, &with_lines(&without, &gray, 0.8)));
+    // Beside what else differs, the bone and the edge of one limb that leaves the picture.
+    let beside: [Line; 2] = [
+        ([120.4, -1.0], [112.0, 121.0], RED),
+        ([128.4, -1.0], [124.0, 121.0], GREEN),
+    ];
+    let moved = Scene {
+        center: [78.0, 51.0],
+        ..SCENE
+    };
+    let found = |lines: &[Line]| is_found(&without, &with_lines(&moved.paint(), lines, 0.8));
+    assert!(!found(&beside));
+    assert!(found(&AXES[..2]), "two that cross");
     // Both show them, from another side.
     let elsewhere = AXES.map(|([x, y], to, color)| ([x + 9.0, y - 9.0], to, color));
     let with = with_lines(&without, &AXES, 0.8);

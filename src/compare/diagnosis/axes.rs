@@ -4,6 +4,8 @@ use super::evidence::{FEWEST_PIXELS, UNEXPLAINED_ONE_IN, count};
 use super::{Finding, Which};
 use crate::compare::pair::{Pair, Pixel};
 use crate::steps::Pace;
+use glam::{IVec2, Vec2};
+use std::ops::Range;
 
 /// Least distance, of 255, of the strongest channel of an axis from the others, also where the edge of
 /// its line is mixed with what is behind it.
@@ -15,6 +17,8 @@ const LEAST_RUN: usize = 8;
 const LEAST_LENGTH: usize = 16;
 /// Most pixels that an axis may have, by the width and height of the picture: more are no thin line.
 const MOST_OF_SIDES: u64 = 4;
+/// Sine of the angle at which two of the axes cross in a picture, at least.
+const LEAST_SINE: f32 = 0.2;
 /// Number of places from which and through which a line is tried.
 const STARTS: usize = 16;
 const ENDS: usize = 48;
@@ -30,13 +34,13 @@ pub(super) struct Axes {
 
 impl Axes {
     /// The axes in `pair`, of which the pixels `other_colors` differ. Where something else differs as well,
-    /// a single line is not taken for an axis. Nor are lines of which a part is in both pictures, such as beside a
-    /// panel that covers the rest in one of them.
+    /// a single line is not taken for an axis, nor are lines that do not cross. Nor are lines of which a part is in both
+    /// pictures, such as beside a panel that covers the rest in one of them.
     pub(super) async fn find(pair: &Pair<'_>, other_colors: &[bool], pace: &Pace) -> Option<Self> {
         let sides = [(pair.a(), pair.b()), (pair.b(), pair.a())];
         let mut are_in = [false; 2];
         let mut pixels = vec![false; other_colors.len()];
-        let mut lines = 0;
+        let mut lines: Vec<Seen> = Vec::new();
         for (is_in, (with, without)) in are_in.iter_mut().zip(sides) {
             let mut channels = Vec::with_capacity(other_colors.len());
             pace.bands(other_colors.len(), |band| {
@@ -57,15 +61,21 @@ impl Axes {
                     if both.runs(line).flatten().count() >= LEAST_LENGTH {
                         return None;
                     }
-                    colored.cover(line, other_colors, &mut pixels);
-                    (*is_in, lines) = (true, lines + 1);
+                    lines.push(colored.cover(line, other_colors, &mut pixels));
+                    *is_in = true;
                 }
             }
         }
         let only_in = Which::of(are_in).filter(|only_in| *only_in != Which::Both)?;
         let (own, all) = (count(&pixels), count(other_colors));
         let alone = all - own <= all / UNEXPLAINED_ONE_IN;
-        let are_axes = own >= FEWEST_PIXELS && (alone || lines > 1);
+        let size = IVec2::new(pair.width() as i32, pair.height() as i32).as_vec2();
+        let mut pairs = lines.iter().enumerate().flat_map(|(index, one)| {
+            let others = lines[..index].iter();
+            others.map(move |other| (one, other))
+        });
+        let do_cross = pairs.any(|(one, other)| one.crosses(other, size));
+        let are_axes = own >= FEWEST_PIXELS && (alone || do_cross);
         are_axes.then_some(Self {
             only_in,
             pixels,
@@ -124,6 +134,35 @@ impl Line {
         let mut pixel = [at; 2];
         pixel[side] = from[side] + rise.round() as i32 + across;
         pixel
+    }
+}
+
+/// A line as far as it is seen.
+struct Seen {
+    line: Line,
+    /// From where to where along it.
+    range: Range<i32>,
+}
+
+impl Seen {
+    /// The ends.
+    fn ends(&self) -> [Vec2; 2] {
+        let pixel = |at: i32| {
+            let [x, y] = self.line.pixel(at, 0);
+            IVec2::new(x, y).as_vec2()
+        };
+        [pixel(self.range.start), pixel(self.range.end)]
+    }
+
+    /// Whether both, as far as they go on in a picture of this size, cross in it, as axes do at the origin: edges of one
+    /// thing run beside each other.
+    fn crosses(&self, other: &Self, size: Vec2) -> bool {
+        let ([a, b], [c, d]) = (self.ends(), other.ends());
+        let (own, others) = (b - a, d - c);
+        let across = own.perp_dot(others);
+        let at = a + own * ((c - a).perp_dot(others) / across);
+        let sine = across.abs() / (own.length() * others.length());
+        sine > LEAST_SINE && at.cmpge(Vec2::ZERO).all() && at.cmple(size).all()
     }
 }
 
@@ -230,7 +269,7 @@ impl Mask {
     }
 
     /// Where along a line its pixels go on without a gap.
-    fn runs(&self, line: Line) -> impl Iterator<Item = std::ops::Range<i32>> + '_ {
+    fn runs(&self, line: Line) -> impl Iterator<Item = Range<i32>> + '_ {
         let end = self.size[line.along];
         let is_on = move |at: i32| self.across(line, at).next().is_some();
         let mut at = 0;
@@ -242,8 +281,8 @@ impl Mask {
         runs.filter(|run| run.len() >= LEAST_RUN)
     }
 
-    /// Marks the pixels of an axis along `line` that differ.
-    fn cover(&self, line: Line, other_colors: &[bool], covered: &mut [bool]) {
+    /// Marks the pixels of an axis along `line` that differ. Returns how far it is seen.
+    fn cover(&self, line: Line, other_colors: &[bool], covered: &mut [bool]) -> Seen {
         let (mut first, mut end) = (self.size[line.along], 0);
         for run in self.runs(line) {
             (first, end) = (first.min(run.start), end.max(run.end));
@@ -255,6 +294,10 @@ impl Mask {
                     covered[index] |= other_colors[index];
                 }
             }
+        }
+        Seen {
+            line,
+            range: first..end,
         }
     }
 }
