@@ -3,6 +3,7 @@
 use super::Story;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Euler;
+use editor_core::scene::Camera;
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers};
 use glam::Vec3;
@@ -107,8 +108,9 @@ fn of_a_selected_chain_the_topmost_joint_alone_turns_as_in_blender() {
         Some(story.joint(chain[1])),
         "the one below is the active one"
     );
-    let r_x_30 = [Key::R, Key::X, Key::Num3, Key::Num0, Key::Enter];
-    r_x_30.map(|key| story.key(key));
+    for key in [Key::R, Key::X, Key::Num3, Key::Num0, Key::Enter] {
+        story.key(key);
+    }
     let expected = [Vec3::new(30.0, 0.0, 0.0), Vec3::ZERO];
     for (joint, expected) in chain.iter().zip(expected) {
         let degrees = story.degrees(joint);
@@ -220,6 +222,79 @@ fn arrow_keys_roll_the_bone_that_was_dragged_last_until_the_pointer_moves() {
     story.point(story.view().left_top() + egui::vec2(30.0, 200.0));
     story.key(Key::ArrowRight);
     assert_eq!(rotations(&story), rolled);
+}
+
+#[test]
+fn a_bone_that_was_clicked_is_rolled_and_dragged_where_a_ring_runs_along_it() {
+    for navigation in [Navigation::Mannequin, Navigation::Course] {
+        let mut story = Story::start(&["models/strip.obj"]);
+        story.program.ui_mut().set_navigation(navigation);
+        story.key(Key::B);
+        let front = Camera {
+            target: Vec3::Y,
+            ..Camera::default()
+        };
+        (story.program.session_mut()).look(View::SetCamera(front));
+        let camera = story.session().view().camera;
+        let hip = story.at(Vec3::ZERO);
+        // Up along the bone, where the ring about X is seen edge-on.
+        let bone = hip - egui::vec2(0.0, 35.0);
+        story.click_at(bone);
+        let joint = story.session().selected_joint().expect("it is selected");
+        let turned = |story: &Story| {
+            let radians = story.character().pose().rotation(joint).radians;
+            radians * 180.0 / std::f32::consts::PI
+        };
+        story.key(Key::ArrowLeft);
+        assert_eq!(story.session().view().camera, camera);
+        let rolled = turned(&story);
+        assert!(rolled.y.abs() > 1.0, "{navigation:?} {rolled}");
+        story.key_with(Modifiers::COMMAND, Key::Z);
+        story.drag(bone, bone + egui::vec2(35.0, 35.0));
+        let dragged = turned(&story);
+        // About the line of sight, which is not quite along Z there.
+        let is_of_sight = (dragged.z + 90.0).abs() < 6.0 && dragged.x.abs() < 15.0;
+        assert!(is_of_sight, "{navigation:?} {dragged}");
+        // Where it runs along no bone, the ring is taken.
+        story.key_with(Modifiers::COMMAND, Key::Z);
+        story.click_at(bone);
+        let beyond = hip + egui::vec2(0.0, 35.0);
+        story.drag(beyond, beyond + egui::vec2(0.0, 20.0));
+        let dragged = turned(&story);
+        assert!(
+            dragged.x.abs() > 10.0 && dragged.z.abs() < 1e-3,
+            "{dragged}"
+        );
+    }
+}
+
+#[test]
+fn a_click_on_a_bone_below_a_ring_selects_it_as_well() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::B);
+    let front = Camera {
+        target: Vec3::Y,
+        ..Camera::default()
+    };
+    (story.program.session_mut()).look(View::SetCamera(front));
+    let hip = story.at(Vec3::ZERO);
+    story.click_at(hip - egui::vec2(0.0, 35.0));
+    let first = story.session().selected_joint().expect("it is selected");
+    // The tip of the strip is at the ring about the line of sight, brought there by the camera.
+    let elbow = story.at(Vec3::Y);
+    let reach = 80.0 / hip.distance(elbow);
+    let nearer = Camera {
+        radius: front.radius / (reach * 0.8),
+        ..front
+    };
+    (story.program.session_mut()).look(View::SetCamera(nearer));
+    story.settle();
+    let (hip, elbow) = (story.at(Vec3::ZERO), story.at(Vec3::Y));
+    let on_ring = hip + (elbow - hip).normalized() * 88.0;
+    story.point(on_ring);
+    story.add_by_click(on_ring);
+    assert_ne!(story.session().selected_joints(), [first]);
+    assert_eq!(story.session().selected_joints().len(), 2);
 }
 
 #[test]

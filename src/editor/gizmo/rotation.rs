@@ -9,6 +9,10 @@ const PIECES: usize = 64;
 /// Cosine of the angle between a ring's axis and the line of sight above which the whole ring is in
 /// front.
 const FACING: f32 = 0.9;
+/// Cosine of the angle between the normal of a ring's plane and the line of sight below which it looks like a line.
+const EDGE_ON: f32 = 0.3;
+/// Share of the radius from which on a ring that looks like a line is at its end.
+const END: f32 = 0.85;
 /// Pixels by which a ring that is seen edge-on counts as farther from the pointer than one that faces the eye: where two
 /// cross, the latter is the one along which the pointer can go.
 const EDGE_ON_HANDICAP: f32 = 6.0;
@@ -125,6 +129,17 @@ impl RotationGizmo {
     /// Axis of a ring, a unit vector in the character's space, or for shapes in the world.
     pub fn axis(&self, axis: usize) -> Option<Vec3> {
         self.rings[axis].as_ref().map(|ring| ring.axis)
+    }
+
+    /// Whether a handle looks like a line through the middle at `pixel`, as a bone does: a ring that is seen edge-on, but
+    /// for its ends.
+    pub fn looks_like_bone(&self, handle: Handle, pixel: Vec2) -> bool {
+        let Handle::Ring(axis) = handle else {
+            return false;
+        };
+        let is_edge_on = |ring: &Ring| ring.facing < EDGE_ON;
+        let is_end = pixel.distance(self.center_pixel) > END * Self::RADIUS;
+        self.rings[axis].as_ref().is_some_and(is_edge_on) && !is_end
     }
 
     /// Handle under `pixel`, with the point where it is grabbed.

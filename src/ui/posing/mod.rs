@@ -12,6 +12,7 @@ mod tool_icons;
 mod typed;
 
 pub(super) use ik::{has_pins, joints_to_pin, toggle_pins, unpin_all};
+use pointer::bone_at;
 pub(super) use pointer::{pointer, put_back, roll_by_keys};
 pub(super) use tool_bar::BAR_HEIGHT;
 pub(super) use typed::Typed;
@@ -159,7 +160,12 @@ fn show_gizmo(
     let under = view
         .hover_pos()
         .filter(|&at| state.gesture.is_none() && place.live.contains(at));
-    let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
+    let handle_at = |at: Pos2| {
+        let pixel = place.pixel(at);
+        let is_bone = || bone_at(session, (state.tool, state.by_finger), place, pixel).is_some();
+        Some(gizmo.hit_beside_bones(pixel, is_bone)?.handle)
+    };
+    let hot = held.or_else(|| handle_at(under?));
     paint_gizmo::gizmo(painter, place, &gizmo, hot, held.is_some());
     hot
 }

@@ -118,8 +118,8 @@ pub(in crate::ui) fn pointer(
             view.ctx.set_cursor_icon(CursorIcon::Grab);
             return PointerUse::Free;
         }
-        Under::Handle => {}
-        Under::Bone(hit, place) if view.clicked() => {
+        // A click does nothing to a handle.
+        Under::Handle(Some((hit, place))) | Under::Bone(hit, place) if view.clicked() => {
             let joint = target_joint(session, state.tool, &hit, place);
             let adds = |input: &InputState| input.modifiers.shift || input.modifiers.command;
             let adds = view.ctx.input(adds) && session.selected() == Some(hit.shape);
@@ -131,7 +131,7 @@ pub(in crate::ui) fn pointer(
                 select_alone(session, hit.shape, Some(joint), actions);
             }
         }
-        Under::Bone(..) => {}
+        Under::Handle(_) | Under::Bone(..) => {}
     }
     if state.tool != Tool::Select {
         view.ctx.set_cursor_icon(CursorIcon::Grab);
@@ -152,7 +152,8 @@ pub(in crate::ui) fn put_back(session: &Session, state: &mut PoseState, actions:
 /// Things under the pointer that the chosen tool acts on.
 enum Under {
     Nothing,
-    Handle,
+    /// A handle of a gizmo, and with the Pose tool the bone that is there, too.
+    Handle(Option<(BoneHit, Place)>),
     /// A bone, in this picture of the scene.
     Bone(BoneHit, Place),
     /// With the Move tool alone.
@@ -164,11 +165,14 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
         return Under::Nothing;
     };
     let pixel = place.pixel(at);
+    let bone = bone_at(session, (state.tool, state.by_finger), place, pixel);
     let gizmo = shown_gizmo(session, state, place);
-    if gizmo.and_then(|gizmo| gizmo.hit(pixel)).is_some() {
-        return Under::Handle;
+    let handle = gizmo.and_then(|gizmo| gizmo.hit_beside_bones(pixel, || bone.is_some()));
+    if handle.is_some() {
+        let bone = bone.filter(|_| state.tool == Tool::Pose);
+        return Under::Handle(bone.map(|hit| (hit, place)));
     }
-    if let Some(hit) = bone_at(session, (state.tool, state.by_finger), place, pixel) {
+    if let Some(hit) = bone {
         return Under::Bone(hit, place);
     }
     let mut is_shape = || {
@@ -185,7 +189,7 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
 
 /// The bone under the pointer: of a character whose bones the tool takes or whose skeleton is displayed; with tools that
 /// turn and scale shapes none.
-fn bone_at(
+pub(super) fn bone_at(
     session: &Session,
     (tool, by_finger): (Tool, bool),
     place: Place,
@@ -236,12 +240,13 @@ fn take(
     }
     let screen = place.screen(session);
     let ray = screen.ray(pixel);
+    let bone = bone_at(session, (state.tool, state.by_finger), place, pixel);
     if let Some(gizmo) = shown_gizmo(session, state, place)
-        && let Some(hit) = gizmo.hit(pixel)
+        && let Some(hit) = gizmo.hit_beside_bones(pixel, || bone.is_some())
     {
         return gizmo.take(session, state, place, (hit, pixel), all);
     }
-    if let Some(hit) = bone_at(session, (state.tool, state.by_finger), place, pixel) {
+    if let Some(hit) = bone {
         let drag = match state.tool {
             Tool::Pose => turn_bone(session, state, hit)?,
             Tool::Ik => ik::take(session, &hit, &screen, &ray)?,
@@ -330,7 +335,7 @@ fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Act
 
 /// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while
 /// Left or Right is pressed over the view. If the navigation turns the camera by these keys, only
-/// the bone under the pointer, and a key that was pressed beside all bones goes on turning the camera while it is held,
+/// the bone under the pointer or its rings, and a key that was pressed beside all bones goes on turning the camera while it is held,
 /// whatever comes below the pointer. To be called before the panels, which use these keys, too.
 pub(in crate::ui) fn roll_by_keys(
     ctx: &Context,
@@ -350,7 +355,7 @@ pub(in crate::ui) fn roll_by_keys(
         )
     };
     if ctx.input(|input| input.events.iter().any(is_press)) {
-        state.pose.turns_camera = state.pose.hovered.is_none();
+        state.pose.turns_camera = state.pose.hovered.is_none() && state.pose.hot.is_none();
     }
     if let Some(rolled) = &mut state.pose.rolled
         && !session.is_in_gesture()
@@ -366,7 +371,8 @@ pub(in crate::ui) fn roll_by_keys(
         .hovered
         .filter(|_| !(is_mannequin && pose.turns_camera));
     let under_pointer = hovered.map(|hit| (hit.shape, hit.bone));
-    let selected = || match is_mannequin {
+    // Over a ring it is about the bone that this turns.
+    let selected = || match is_mannequin && (pose.hot.is_none() || pose.turns_camera) {
         true => None,
         false => bone_of_selected_joint(session, pose),
     };

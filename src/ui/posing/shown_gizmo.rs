@@ -70,12 +70,26 @@ fn move_target(session: &Session, shape: ShapeId) -> MoveTarget {
 
 impl Gizmo {
     /// The handle under a pixel of the picture.
-    pub(super) fn hit(&self, pixel: Vec2) -> Option<GizmoHit> {
+    fn hit(&self, pixel: Vec2) -> Option<GizmoHit> {
         match self {
             Self::Turn { rings, .. } | Self::TurnShapes(rings) => rings.hit(pixel),
             Self::Move { arrows, .. } => arrows.hit(pixel),
             Self::Scale(handles) => handles.hit(pixel),
         }
+    }
+
+    /// The same unless a bone is there, too, that the handle looks like: who points at that means the bone.
+    pub(super) fn hit_beside_bones(
+        &self,
+        pixel: Vec2,
+        is_bone: impl FnOnce() -> bool,
+    ) -> Option<GizmoHit> {
+        let hit = self.hit(pixel)?;
+        let looks_like_bone = match self {
+            Self::Turn { rings, .. } => rings.looks_like_bone(hit.handle, pixel),
+            _ => false,
+        };
+        (!looks_like_bone || !is_bone()).then_some(hit)
     }
 
     /// Begins a drag of a handle with the pointer at a pixel of `place`; with `all`, the gizmo of a
