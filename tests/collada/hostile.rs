@@ -69,7 +69,11 @@ fn errors_name_line_and_column() {
     let empty = document("", "", "");
     let word = static_document(&geometry("g", "0 0 0 1 0\n zero", "", ""));
     for (text, part) in [
-        ("", "1:1: expected well-formed XML"),
+        ("", "1:1: expected Collada, found an empty file"),
+        (
+            "<COLLADA>\n  <a b=\"c",
+            "2:10: expected the end of the outermost element, found that of the file: it may be cut off",
+        ),
         ("not xml at all", "1:1:"),
         (
             "<COLLADA>\n  <a>\n</COLLADA>",

@@ -65,8 +65,9 @@ pub(super) fn parse_xml<'a>(path: &Path, text: &'a str) -> Result<Document<'a>, 
             roxmltree::Error::NodesLimitReached => {
                 format!("expected at most {MOST_XML_NODES} elements and texts, found more")
             }
-            // Where the outermost element begins says nothing.
-            roxmltree::Error::UnclosedRootNode => {
+            _ if text.trim().is_empty() => "expected Collada, found an empty file".to_owned(),
+            // Where the outermost element begins says nothing, and the end of the file has no place.
+            roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
                 let line = text.lines().count().max(1);
                 let column = text.lines().last().map_or(0, |last| last.chars().count()) + 1;
                 let message = "expected the end of the outermost element, found that of the file: it may be cut off";
