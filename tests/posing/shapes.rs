@@ -47,7 +47,7 @@ fn at_the_top_and_at_the_side_of_the_ring_that_faces_the_eye_it_is_that_which_is
     for camera in [Camera::default(), camera] {
         let session = cubes(camera, &[Transform::IDENTITY]);
         let rings = RotationGizmo::of_shapes(&session, GizmoAxes::World, SIZE).unwrap();
-        let sight = camera.eye().normalize();
+        let sight = camera.eye();
         let axis = sight.abs().max_position();
         let front = rings.ring(axis).iter().filter(|point| point.front);
         let mut count = 0;
