@@ -121,7 +121,6 @@ impl FaceDifference {
     /// The mistakes that it is. Triangles that are there besides those of the model are none.
     pub fn mistakes(&self) -> impl Iterator<Item = &'static Mistake> {
         let differ = (self.missing > 0).then_some(&TRIANGLES_DIFFER);
-        // Of others, such as those with wrong indices, some are by chance what turned ones would be.
         let turned = (self.turned > 0 && self.turned >= self.other).then_some(&TRIANGLES_TURNED);
         differ.into_iter().chain(turned)
     }
@@ -148,11 +147,15 @@ impl fmt::Display for FaceDifference {
                 f,
                 "{missing} of the model's {triangles} triangles {are} missing"
             )?;
-            if missing > other {
+            // Some that have wrong indices may be left out.
+            if other * 2 < missing {
                 f.write_str(": the file may be cut off")?;
             } else {
                 let others = if other == 1 { "other" } else { "others" };
                 write!(f, ", and {other} {others} {} there", is(other))?;
+            }
+            if other > FEWEST && other * 2 > triangles {
+                f.write_str(": corners count from 1")?;
             }
         } else if other > 0 {
             write!(
@@ -161,7 +164,8 @@ impl fmt::Display for FaceDifference {
                 is(other)
             )?;
         }
-        if turned == 0 {
+        // Of others, such as those with wrong indices, some are by chance what turned ones would be.
+        if turned == 0 || turned < other {
             return Ok(());
         }
         if missing + other > 0 {
@@ -302,6 +306,11 @@ mod tests {
         assert_eq!(
             told(2, 2, 0),
             "2 of the model's 70 triangles are missing, and 2 others are there"
+        );
+        // As where they count from 0: those with an index of 0 are left out, and one turned triangle is chance.
+        assert_eq!(
+            told(69, 67, 1),
+            "69 of the model's 70 triangles are missing, and 67 others are there: corners count from 1"
         );
         assert_eq!(told(0, 1, 0), "1 of its triangles is none of the model's");
         assert_eq!(

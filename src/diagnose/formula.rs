@@ -27,9 +27,8 @@ pub struct Formula {
     pub written: [f64; 3],
     /// A joint that a program has otherwise than the file.
     pub other_joint: Option<OtherJoint>,
-    /// Whether each joint hangs on the one that is visited before it, its children before its next sibling, in T and in B:
-    /// the matrix stack is never popped.
-    pub hangs_on_visited: [bool; 2],
+    /// After which joints the matrix stack is popped, in T and in B.
+    pub popped: [Popped; 2],
     /// What B has left on the matrix stack when T begins.
     pub left_on_stack: LeftOnStack,
     /// Whether the sum begins with the vertex at rest.
@@ -157,6 +156,20 @@ pub enum Chain {
     ParentsOwn,
     /// parent · own, where what is handed down is without rotations.
     WithoutRotations,
+}
+
+/// Joints after which the matrix stack is popped, so that the next one hangs on what it does in the file. A joint is
+/// visited after its parent, its children before its next sibling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Popped {
+    /// Every joint.
+    All,
+    /// None: each joint hangs on the one that is visited before it.
+    None,
+    /// All but those without children.
+    ButLeaves,
+    /// Those without children alone.
+    Leaves,
 }
 
 /// What lies on the matrix stack before the roots are pushed.
@@ -446,7 +459,7 @@ impl Default for Formula {
             vertex_order: VertexOrder::File,
             written: [1.0; 3],
             other_joint: None,
-            hangs_on_visited: [false; 2],
+            popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,
             begins_at_rest: false,
             moves_twice: false,

@@ -2,7 +2,7 @@
 //! beside each of the others.
 
 use super::formula::{
-    AnglesOf, Chain, Columns, Factors, Kept, LeftOnStack, Offsets, Rescaled, Rounded,
+    AnglesOf, Chain, Columns, Factors, Kept, LeftOnStack, Offsets, Popped, Rescaled, Rounded,
 };
 use super::mistakes::{EVERY_JOINT_COUNTS, Mistake, SKELETON, SLIDERS, SSD, reading};
 
@@ -36,35 +36,47 @@ static STACK_NOT_POPPED: Mistake = Mistake {
     look_at: "the end of the recursion over a joint's children: each push needs its pop, that of the root as well",
     readings: &[
         reading(on_visited!(", in T and in B"), |formula| {
-            formula.hangs_on_visited = [true; 2]
+            formula.popped = [Popped::None; 2]
         }),
         reading(on_visited!(", in T"), |formula| {
-            formula.hangs_on_visited = [true, false]
+            formula.popped = [Popped::None, Popped::All]
         }),
         reading(on_visited!(", in B"), |formula| {
-            formula.hangs_on_visited = [false, true]
+            formula.popped = [Popped::All, Popped::None]
         }),
         reading(
             on_visited!(", and T goes on with what B has left on it"),
             |formula| {
-                formula.hangs_on_visited = [true; 2];
+                formula.popped = [Popped::None; 2];
                 formula.left_on_stack = LeftOnStack::LastVisited(1);
             },
         ),
         reading(
             on_visited!(", and T goes on with what B and T at rest have left on it"),
             |formula| {
-                formula.hangs_on_visited = [true; 2];
+                formula.popped = [Popped::None; 2];
                 formula.left_on_stack = LeftOnStack::LastVisited(2);
             },
         ),
         reading(
             on_visited!(", in T, which goes on with what T at rest has left on it"),
             |formula| {
-                formula.hangs_on_visited = [true, false];
+                formula.popped = [Popped::None, Popped::All];
                 formula.left_on_stack = LeftOnStack::LastVisited(1);
             },
         ),
+        reading("after a joint without children, in T and in B", |formula| {
+            formula.popped = [Popped::ButLeaves; 2];
+        }),
+        reading("after a joint without children, in T", |formula| {
+            formula.popped = [Popped::ButLeaves, Popped::All];
+        }),
+        reading("after a joint with children, in T and in B", |formula| {
+            formula.popped = [Popped::Leaves; 2];
+        }),
+        reading("after a joint with children, in T", |formula| {
+            formula.popped = [Popped::Leaves, Popped::All];
+        }),
         reading(
             "the root stays on it, so that T begins with B of the root",
             |formula| {
@@ -120,6 +132,9 @@ static ROOT_TRANSFORM_MISSING: Mistake = Mistake {
         reading("in T", |formula| {
             formula.joint.offsets = Offsets::ButOfRoots;
             formula.joint.angles_of = AnglesOf::ItselfButRoots;
+        }),
+        reading("in B", |formula| {
+            formula.joint.bind_offsets = Offsets::ButOfRoots
         }),
     ],
 };

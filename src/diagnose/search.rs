@@ -280,6 +280,17 @@ fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
         return None;
     }
     let both = formula(&[first, second]);
+    // All three signs and one of them once more are told as the two that are wrong then.
+    let negated = both
+        .joint
+        .angles
+        .iter()
+        .filter(|factor| **factor < 0.0)
+        .count();
+    let negates_all = |made: Made| made.mistake.id == "angles-negated";
+    if negated == 2 && (negates_all(first) || negates_all(second)) {
+        return None;
+    }
     // Both change the same part, or one of them has nothing left to change.
     let is_one = both != formula(&[second, first])
         || both == formula(&[first])

@@ -3,7 +3,7 @@
 use super::choices::choices;
 use super::formula::{
     AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointsBy, Kept,
-    LeftOnStack, OtherJoint, Rescaled, Rows, WeightFormula,
+    LeftOnStack, OtherJoint, Popped, Rescaled, Rows, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -231,11 +231,11 @@ impl Joints {
                 angles_of[joint] = index;
             }
         }
-        let [tree, bind_tree] = formula.hangs_on_visited.map(|hangs_on_visited| {
+        let [tree, bind_tree] = formula.popped.map(|popped| {
             let tree = Tree::new(model, formula.other_joint);
-            match hangs_on_visited {
-                true => tree.on_visited(model.joints_by(JointsBy::Depth)),
-                false => tree,
+            match popped {
+                Popped::All => tree,
+                popped => tree.on_stack(model.joints_by(JointsBy::Depth), popped),
             }
         });
         let offset = |joint: usize| tree.offsets[joint];
@@ -260,7 +260,7 @@ impl Joints {
             LeftOnStack::LastVisited(times) => {
                 let visited = model.joints_by(JointsBy::Depth);
                 let last = visited.last().copied();
-                let tree = Tree::new(model, formula.other_joint).on_visited(visited);
+                let tree = Tree::new(model, formula.other_joint).on_stack(visited, Popped::None);
                 let bind = tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
                 last.map(|last| std::iter::repeat_n(&bind[last], times).product())
             }
@@ -366,10 +366,31 @@ impl Tree {
         tree
     }
 
-    /// The same joints, each of which hangs on the one before it in `visited`.
-    fn on_visited(mut self, visited: Vec<usize>) -> Self {
-        for pair in visited.windows(2) {
-            self.parents[pair[1]] = Some(pair[0]);
+    /// The same joints, each of which hangs on what is on top of the matrix stack when it is pushed, in the order
+    /// `visited`.
+    fn on_stack(mut self, visited: Vec<usize>, popped: Popped) -> Self {
+        let own = self.parents.clone();
+        let is_leaf: Vec<bool> = (0..own.len())
+            .map(|joint| !own.contains(&Some(joint)))
+            .collect();
+        let is_popped = |joint: usize| match popped {
+            Popped::All => true,
+            Popped::None => false,
+            Popped::ButLeaves => !is_leaf[joint],
+            Popped::Leaves => is_leaf[joint],
+        };
+        let mut stack = Vec::new();
+        let mut open: Vec<usize> = Vec::new();
+        for &joint in &visited {
+            // Those whose children have all been visited end first.
+            while let Some(last) = open.pop_if(|last| own[joint] != Some(*last)) {
+                if is_popped(last) {
+                    stack.pop();
+                }
+            }
+            self.parents[joint] = stack.last().copied();
+            stack.push(joint);
+            open.push(joint);
         }
         self.order = visited;
         self

@@ -46,7 +46,7 @@ pub use selection::{
     set_apart,
 };
 pub use session::Session;
-pub use shape_group::{SCALES, ShapeGroup};
+pub use shape_group::{SCALES, ShapeGroup, kept_at_pivot};
 pub use shape_scale::{ScaleBy, ShapeScale};
 pub use shape_turn::ShapeTurn;
 

@@ -147,6 +147,28 @@ pub(super) fn pivot_of(shape: &EvaluatedShape) -> Vec3 {
     }
 }
 
+/// `transform` of a shape, moved so that its pivot is where it is now.
+pub fn kept_at_pivot(session: &Session, id: ShapeId, transform: Transform) -> Transform {
+    let Some(shape) = session.evaluated().shape(id) else {
+        return transform;
+    };
+    let pivot = pivot_of(shape);
+    if pivot == Vec3::ZERO {
+        return transform;
+    }
+    let now = shape.world_from_model.transform_point3(pivot);
+    let then = transform.world_from_model().transform_point3(pivot);
+    // What rounding leaves of a shape that is back where it started is not to be seen in its numbers.
+    let position = transform.position + now - then;
+    let is_nothing = position
+        .abs()
+        .cmplt(Vec3::splat(1e-6 * now.abs().max_element().max(1.0)));
+    Transform {
+        position: Vec3::select(is_nothing, Vec3::ZERO, position),
+        ..transform
+    }
+}
+
 /// How far outside the bounds an origin may be, by their longest side.
 const AROUND: f32 = 0.1;
 

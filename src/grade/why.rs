@@ -22,7 +22,7 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
             OTHER_POSE => {
                 let share = percent(share_left(OTHER_POSE, rubric));
                 vec![format!(
-                    "a result in another pose than that of the test leaves {share} of every section"
+                    "a result that is not the one of the test's own character in its pose leaves {share} of every section"
                 )]
             }
             nearly => vec![why_mistake(nearly, test, rubric)],

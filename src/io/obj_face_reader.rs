@@ -183,15 +183,23 @@ impl FaceReader {
     /// or no faces.
     pub fn finish(mut self, scanner: &Scanner) -> Result<(Faces, Warnings), Diagnostic> {
         let has_all = self.expected_vertices == Some(self.counts[0]);
-        let mut missing = self.ahead.iter().filter(|a| a.is_missing(&self.counts));
-        if let Some(first) = missing.next() {
+        let missing = || self.ahead.iter().filter(|a| a.is_missing(&self.counts));
+        if let Some(first) = missing().next().filter(|_| !has_all) {
+            return Err(self.does_not_exist(scanner, first));
+        }
+        // The vertices of the mesh are known to be all: they can be told to be right though faces are wrong, of which
+        // texture coordinates and normals do not count.
+        if let Some(first) = missing().find(|a| a.kind > 0) {
+            let mut warning = self.does_not_exist(scanner, first);
+            warning.message += ": taken as none";
+            self.warnings.push_with(|| warning);
+        }
+        if let Some(first) = missing().find(|a| a.kind == 0) {
             let wrong = self.does_not_exist(scanner, first);
             let left_out = self.faces.outside(self.counts[0]);
-            let are_of_faces = first.kind == 0 && missing.all(|a| a.kind == 0);
-            if !has_all || !are_of_faces || left_out == self.faces.count() {
+            if left_out == self.faces.count() {
                 return Err(wrong);
             }
-            // The vertices of the mesh are known to be all: they can be told to be right though faces are wrong.
             let plural = if left_out == 1 { " is" } else { "s are" };
             let mut warning = wrong;
             warning.message += &format!(": {left_out} face{plural} left out");

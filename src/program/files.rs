@@ -216,7 +216,33 @@ impl Program {
         self.tell(Severity::Error, text);
     }
 
+    /// The character that the pose of a file is meant for: `shape`, or else the first one that has joints of it, which is
+    /// selected then.
+    fn meant_by(&mut self, shape: ShapeId, file: &PoseFile, path: &Path) -> ShapeId {
+        let fits = |id: ShapeId| {
+            let character = self.session.scene().character(id);
+            character.is_some_and(|character| file.fits(character.character.skeleton()))
+        };
+        if fits(shape) {
+            return shape;
+        }
+        let shapes = self.session.scene().shapes().iter();
+        let Some(other) = shapes.map(|shape| shape.id).find(|id| fits(*id)) else {
+            return shape;
+        };
+        let name = self.session.scene().shape(other).map(|shape| &shape.name);
+        let name = name.map_or("another character", String::as_str);
+        let text = format!("{}: taken by {name}, which has its joints", path.display());
+        self.tell(Severity::Info, text);
+        self.session.look(View::Select(Some(other)));
+        other
+    }
+
     pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8], pasted: &Pasted) {
+        let shape = match PoseFile::read(path, bytes) {
+            Ok(file) if path != Path::new(CLIPBOARD) => self.meant_by(shape, &file, path),
+            _ => shape,
+        };
         let Some(character) = self.session.scene().character(shape) else {
             return self.tell_no_character(path);
         };

@@ -9,6 +9,7 @@ use super::state::UiState;
 use super::widgets::{named, tip_beside};
 use super::{Action, ViewInput};
 use crate::editor::Session;
+use crate::scene::name_of_import;
 use egui::{
     Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,
     vec2,
@@ -88,9 +89,10 @@ fn contents(
         found.sort_by_key(|&(fit, entry)| (fit, is_disabled(entry)));
     }
     let found: Vec<&Entry> = found.into_iter().map(|(_, entry)| entry).collect();
-    let told =
-        elsewhere(&search.text).or(found.is_empty().then_some("No command has these words."));
-    if let Some(told) = told {
+    let nothing = found.is_empty().then_some("No command has these words.");
+    let told = elsewhere(&search.text).map(str::to_owned);
+    let told = told.or_else(|| builtin_file(&search.text, input));
+    if let Some(told) = told.or(nothing.map(str::to_owned)) {
         ui.label(RichText::new(told).weak());
     }
     if found.is_empty() {
@@ -127,6 +129,22 @@ fn contents(
     });
     let chosen = chosen.filter(|entry| why_disabled(entry.command, session, state).is_none());
     chosen.map(|entry| entry.command)
+}
+
+/// Where the built-in character or curve is inserted that is searched for by the beginning of its name.
+fn builtin_file(words: &str, input: &ViewInput) -> Option<String> {
+    let words = plain(words.trim());
+    let kinds = [
+        (input.builtin_characters, "Built-in Character"),
+        (input.builtin_curves, "Built-in Curve"),
+    ];
+    let mut named = kinds.into_iter().flat_map(|(names, menu)| {
+        let names = names.iter().map(|name| name_of_import(name));
+        names.map(move |name| (name, menu))
+    });
+    let is_meant = |name: &str| words.chars().count() > 2 && plain(name).starts_with(&words);
+    let (name, menu) = named.find(|(name, _)| is_meant(name))?;
+    Some(format!("{name} is in Insert ⏵ {menu}."))
 }
 
 /// A command as the list names it: with its menu where that says what it is, and with what it is about.

@@ -467,6 +467,13 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     without_root.offsets[root] = offset;
     let found = all_turned.diagnose(&written(&without_offset(&without_root), 6));
     assert_named(&found, "root-transform-missing", "in T");
+    let [t, b] = [&all_turned.pose(), &Pose::new()].map(|pose| {
+        let skeleton = all_turned.character.skeleton();
+        skeleton.update_current_joint_to_world_transforms(pose)
+    });
+    let moved = Mat4::from_translation(offset);
+    let found = moved_by(&all_turned, |joint| t[joint] * b[joint].inverse() * moved);
+    assert_named(&found, "root-transform-missing", "in B");
 
     let mut of_root = Figure::builtin("adult", turns_some);
     for (joint, offset) in of_root.offsets.iter_mut().enumerate() {
@@ -572,12 +579,65 @@ type Stack = Vec<Mat4>;
 
 /// Pushes what `own` has for `joint` and then for those that hang on it, and pops nothing. Fills `kept` with the tops.
 fn push_all(figure: &Figure, own: &[Mat4], joint: usize, stack: &mut Stack, kept: &mut [Mat4]) {
+    visit(figure, own, joint, &|_| false, (stack, kept));
+}
+
+/// The same, but pops after the joints that `pops` says, which is told whether they have no children.
+fn visit(
+    figure: &Figure,
+    own: &[Mat4],
+    joint: usize,
+    pops: &dyn Fn(bool) -> bool,
+    (stack, kept): (&mut Stack, &mut [Mat4]),
+) {
     let top = stack.last().copied().unwrap_or_default() * own[joint];
     stack.push(top);
     kept[joint] = top;
-    for child in (0..own.len()).filter(|&child| figure.parents[child] == Some(joint)) {
-        push_all(figure, own, child, stack, kept);
+    let children = (0..own.len()).filter(|&child| figure.parents[child] == Some(joint));
+    let children: Vec<usize> = children.collect();
+    for &child in &children {
+        visit(figure, own, child, pops, (stack, kept));
     }
+    if pops(children.is_empty()) {
+        stack.pop();
+    }
+}
+
+#[test]
+fn a_stack_that_is_popped_after_some_joints_alone_is_named_with_which() {
+    let figure = Figure::builtin("adult", turned(59));
+    let [own, own_at_rest] = own_transforms(&figure);
+    let root = figure.parents.iter().position(Option::is_none).unwrap();
+    let skeleton = figure.character.skeleton();
+    let right = skeleton.update_current_joint_to_world_transforms(&Pose::new());
+    for (pops, how) in [
+        (
+            (|is_leaf| !is_leaf) as fn(bool) -> bool,
+            "after a joint without children",
+        ),
+        (|is_leaf| is_leaf, "after a joint with children"),
+    ] {
+        let [t, b] = [&own, &own_at_rest].map(|own| {
+            let mut kept = own.to_vec();
+            visit(&figure, own, root, &pops, (&mut Stack::new(), &mut kept));
+            kept
+        });
+        let found = moved_by(&figure, |joint| t[joint] * b[joint].inverse());
+        assert_named(&found, "stack-not-popped", &format!("{how}, in T and in B"));
+        let found = moved_by(&figure, |joint| t[joint] * right[joint].inverse());
+        assert_named(&found, "stack-not-popped", &format!("{how}, in T"));
+    }
+}
+
+#[test]
+fn two_signs_that_are_wrong_are_told_as_these() {
+    let slider = |angles: Vec3| Vec3::new(-angles.x, angles.y, -angles.z);
+    let found = of(&Student { slider, ..RIGHT }, 87);
+    assert_eq!(
+        found.causes,
+        ["sign-flipped-z", "sign-flipped-x"],
+        "{found}"
+    );
 }
 
 #[test]

@@ -115,6 +115,29 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     ] {
         class.write(&format!("class/{name}/adult-1.obj"), content);
     }
+    // The faces name normals that nobody has written.
+    let with_normals = right.lines().map(|line| match line.strip_prefix("f ") {
+        Some(corners) => {
+            let corners = corners
+                .split(' ')
+                .map(|corner| format!(" {corner}//{corner}"));
+            format!("f{}\n", corners.collect::<String>())
+        }
+        None => format!("{line}\n"),
+    });
+    class.write("class/nic/adult-1.obj", with_normals.collect::<String>());
+    // Corners count from 0, which the file cannot name.
+    let from_0 = right.lines().map(|line| match line.strip_prefix("f ") {
+        Some(corners) => {
+            let corners = corners
+                .split(' ')
+                .map(|corner| corner.parse::<u32>().unwrap() - 1);
+            let corners = corners.map(|corner| format!(" {corner}"));
+            format!("f{}\n", corners.collect::<String>())
+        }
+        None => format!("{line}\n"),
+    });
+    class.write("class/nil/adult-1.obj", from_0.collect::<String>());
     class.write("class/kai/adult-1.obj", latin);
     class.write("class/kim/Adult.obj", &right);
     class.write("class/pia/Adult-1.OBJ", &right);
@@ -155,6 +178,12 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "adult-1.obj:1: 13301 vertices are no numbers (nan or infinite)",
         ),
         ("joe", "unreadable", "adult-1.obj: expected "),
+        ("nic", "right", "right: this is the exact result"),
+        (
+            "nil",
+            "explained",
+            "right but for its triangles: its vertices are the exact result",
+        ),
         ("kai", "right", "right: this is the exact result"),
         ("raj", "unreadable", "adult-1.obj"),
         (

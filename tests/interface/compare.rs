@@ -433,6 +433,16 @@ fn masks_are_added_for_the_courses_panels_and_by_hand_and_taken_away() {
 }
 
 #[test]
+fn in_the_look_of_the_mannequin_its_keyframes_are_masked() {
+    let mut editor = comparing();
+    editor.view(View::SetLook(Look::Mannequin));
+    editor.click("Mask its panels");
+    let masks = settings(&editor).masks.clone();
+    let masks: Vec<String> = masks.iter().map(ToString::to_string).collect();
+    assert_eq!(masks, ["0,400,800,200"]);
+}
+
+#[test]
 fn a_mask_is_moved_by_its_label() {
     let mut editor = comparing();
     editor.click("Difference");

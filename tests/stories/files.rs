@@ -358,6 +358,25 @@ fn kept_poses_are_saved_under_their_names_and_loaded() {
 }
 
 #[test]
+fn a_pose_of_another_character_than_the_selected_one_goes_to_that_which_is_selected_then() {
+    let mut story = Story::start(&["models/strip.obj", "builtin:robot"]);
+    let robot = story.session().scene().shapes()[1].id;
+    let select = Action::View(editor_core::editor::View::Select(Some(robot)));
+    story.program.carry_out(vec![select], &mut story.host);
+    story.settle();
+    let pose = br#"{"joints": {"Elbow": [0, 0, 50]}}"#;
+    story.host.files.insert("bent.json".into(), pose.to_vec());
+    story.click("Pose");
+    story.click("Load Pose…");
+    story.choose("bent.json");
+    let strip = story.session().scene().shapes()[0].id;
+    assert_eq!(story.session().selected(), Some(strip));
+    assert!((story.degrees("Elbow").z - 50.0).abs() < 1e-3);
+    let told = "bent.json: taken by Strip, which has its joints";
+    assert_eq!(story.messages(), [(Severity::Info, told)]);
+}
+
+#[test]
 fn what_is_odd_in_a_file_is_told_and_the_file_is_used() {
     let mut story = Story::start(&[]);
     for (name, text) in [

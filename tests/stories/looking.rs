@@ -219,6 +219,44 @@ fn home_is_about_the_view_wherever_the_pointer_is_and_twice_in_the_course_leads_
 }
 
 #[test]
+fn what_is_turned_or_scaled_about_its_middle_is_put_back_where_it_was() {
+    let far = "v 4 0 4\nv 5 0 4\nv 5 1 4\nv 4 1 5\nf 1 2 3\nf 1 3 4\n";
+    let mut story = Story::start(&["builtin:gem"]);
+    story.host.files.insert("far.obj".into(), far.into());
+    story.host.drop_file("far.obj");
+    story.settle();
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let id = story.session().selected().unwrap();
+    let place = |story: &Story| {
+        let shape = story.session().scene().shape(id);
+        shape.unwrap().placement.transform
+    };
+    let before = place(&story);
+    for (keys, back) in [
+        (
+            &[Key::R, Key::Z, Key::Num9, Key::Num0, Key::Enter][..],
+            Key::R,
+        ),
+        (&[Key::S, Key::Num2, Key::Enter], Key::S),
+    ] {
+        for &key in keys {
+            story.key(key);
+        }
+        assert!(place(&story).position.distance(before.position) > 0.5);
+        story.key_with(Modifiers::ALT, back);
+        let after = place(&story);
+        assert!(
+            after.position.abs_diff_eq(before.position, 1e-5),
+            "{after:?}"
+        );
+        assert_eq!(
+            (after.rotation, after.scale),
+            (before.rotation, before.scale)
+        );
+    }
+}
+
+#[test]
 fn a_left_drag_keeps_what_it_takes_under_the_pointer_but_in_the_look_of_the_course() {
     let mut story = Story::start(&[]);
     story.key(Key::F3);

@@ -1,7 +1,7 @@
 //! Commands that put back where shapes are, how they are turned, or how large they are.
 
 use super::Command;
-use crate::editor::{Edit, Session, kept_on_ground};
+use crate::editor::{Edit, Session, kept_at_pivot, kept_on_ground};
 use crate::math::Transform;
 use crate::scene::Shape;
 use crate::ui::Action;
@@ -10,6 +10,10 @@ use crate::ui::Action;
 pub(super) fn put_back(command: Command, session: &Session) -> Action {
     let edits = session.selected_shapes().filter_map(|shape| {
         let mut back = back(command, shape)?;
+        if command != Command::ResetPosition {
+            // It was turned and scaled about the pivot, too.
+            back = kept_at_pivot(session, shape.id, back);
+        }
         if command == Command::ResetScale {
             back = kept_on_ground(session, shape.id, back);
         }

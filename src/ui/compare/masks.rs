@@ -1,8 +1,10 @@
+use super::settings::{course_panels, mannequin_panels};
 use crate::compare::Area as Mask;
+use crate::scene::Look;
+use crate::ui::ScenePlaces;
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
-use crate::ui::{ScenePlaces, course_panels};
 use egui::{
     Align2, Button, Color32, CursorIcon, FontId, Id, Rect, Sense, Stroke, StrokeKind, Ui, Vec2,
     pos2, vec2,
@@ -16,15 +18,22 @@ const GRIP: f32 = 4.0;
 const LABEL: Vec2 = vec2(56.0, 18.0);
 
 /// What adds masks.
-pub(super) fn buttons(ui: &mut Ui, size: (u32, u32), masks: &mut Vec<Mask>) {
+pub(super) fn buttons(ui: &mut Ui, size: (u32, u32), look: Look, masks: &mut Vec<Mask>) {
     let room = masks.len() < MOST;
-    let panels = course_panels(size);
+    let (panels, whose) = match look {
+        Look::Mannequin => (
+            mannequin_panels(size).to_vec(),
+            "Leave out what the keyframes of the Virtual Mannequin cover in a screenshot of its window",
+        ),
+        Look::Course | Look::Studio => (
+            course_panels(size).to_vec(),
+            "Leave out what the panels of the course's editor cover in a screenshot of its window",
+        ),
+    };
     let masked = panels.iter().all(|panel| masks.contains(panel));
     let course = ui
         .add_enabled(room && !masked, Button::new("Mask its panels"))
-        .on_hover_text(
-            "Leave out what the panels of the course's editor cover in a screenshot of its window",
-        )
+        .on_hover_text(whose)
         .on_disabled_hover_text("They are masked");
     if course.clicked() {
         for panel in panels {

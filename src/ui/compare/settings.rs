@@ -104,6 +104,21 @@ pub fn course_panels(size: (u32, u32)) -> [Area; 2] {
     [menu_bar, panel].map(|mask| mask.inside(size))
 }
 
+/// Height of the strip of keyframes and the timeline in the Virtual Mannequin's window, in pixels.
+const MANNEQUIN_STRIP_HEIGHT: u32 = 200;
+
+/// What covers the scene in a screenshot of the Virtual Mannequin of this size.
+pub fn mannequin_panels(size: (u32, u32)) -> [Area; 1] {
+    let (width, height) = size;
+    let strip = Area {
+        x: 0,
+        y: height.saturating_sub(MANNEQUIN_STRIP_HEIGHT),
+        width,
+        height: MANNEQUIN_STRIP_HEIGHT,
+    };
+    [strip.inside(size)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,5 +128,12 @@ mod tests {
         let panels = |size| course_panels(size).map(|area| area.to_string());
         assert_eq!(panels((800, 600)), ["0,0,800,20", "520,20,280,580"]);
         assert_eq!(panels((100, 10)), ["0,0,100,10", "0,9,100,1"]);
+    }
+
+    #[test]
+    fn the_mannequins_strip_lies_at_the_bottom_of_its_window() {
+        let strip = |size| mannequin_panels(size).map(|area| area.to_string());
+        assert_eq!(strip((800, 800)), ["0,600,800,200"]);
+        assert_eq!(strip((100, 10)), ["0,0,100,10"]);
     }
 }
