@@ -47,7 +47,8 @@ pub struct Args {
     size: (u32, u32),
     #[command(flatten)]
     camera: arguments::CameraArgs,
-    /// Move the camera so that everything is in the picture, keeping its direction.
+    /// Move the camera so that everything is in the picture, keeping its direction: where no other is given, that from +z,
+    /// which sees the back of a figure that faces -z (--view -z), as the window does not.
     #[arg(long)]
     fit: bool,
     /// Pose every character by this POSE.json, builtin:NAME, or POSES.json#NAME of a file with several.

@@ -651,6 +651,15 @@ fn preferences_are_chosen_in_one_window_kept_and_put_back_to_the_defaults() {
 }
 
 #[test]
+fn of_a_built_in_character_the_search_says_in_which_menu_it_is() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+    story.frame(vec![Event::Text("adul".into())]);
+    story.settle();
+    assert!(story.has_text("Adult is in Insert ⏵ Built-in Character."));
+}
+
+#[test]
 fn a_command_is_found_by_its_name_and_run() {
     let mut story = Story::start(&["models/strip.obj"]);
     let find = Modifiers::COMMAND | Modifiers::SHIFT;
