@@ -36,8 +36,18 @@ impl Formula {
 
 /// Skins `character` in `pose` by `formula`, as a view shows it: with the triangles of the file.
 pub fn skin_by(character: &Character, pose: &Pose, formula: &Formula) -> MistakenMesh {
+    skin_after(character, &[], pose, formula)
+}
+
+/// The same by a program that multiplies the rotations of `pose` onto those of the poses `before`.
+pub fn skin_after(
+    character: &Character,
+    before: &[&Pose],
+    pose: &Pose,
+    formula: &Formula,
+) -> MistakenMesh {
     let model = Model::new(character);
-    let mut skinner = Skinner::new(&model, pose, &formula.in_order_of_file());
+    let mut skinner = Skinner::after(&model, before, pose, &formula.in_order_of_file());
     let vertices = 0..skinner.count();
     let positions = vertices
         .clone()

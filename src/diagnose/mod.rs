@@ -44,7 +44,7 @@ pub use formula::{
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
-pub use mistaken::{MistakenMesh, skin_by};
+pub use mistaken::{MistakenMesh, skin_after, skin_by};
 pub use mistakes::{MISTAKES, Mistake, POSE_NOT_APPLIED, Reading};
 pub use nearest::Nearest;
 pub use no_numbers::NoNumbers;

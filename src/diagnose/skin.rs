@@ -45,9 +45,19 @@ impl Placed {
 
 impl<'a> Skinner<'a> {
     pub(super) fn new(model: &'a Model<'a>, pose: &Pose, formula: &Formula) -> Self {
+        Self::after(model, &[], pose, formula)
+    }
+
+    /// The same where joints turn on from the rotations that they were given in the poses `before`.
+    pub(super) fn after(
+        model: &'a Model<'a>,
+        before: &[&Pose],
+        pose: &Pose,
+        formula: &Formula,
+    ) -> Self {
         Self {
             model,
-            palette: Joints::new(model, pose, formula).palette(formula),
+            palette: Joints::after(model, before, pose, formula).palette(formula),
             formula: formula.clone(),
             kept: Vec::new(),
         }
@@ -223,6 +233,11 @@ pub(super) struct Joints {
 
 impl Joints {
     pub(super) fn new(model: &Model, pose: &Pose, formula: &Formula) -> Self {
+        Self::after(model, &[], pose, formula)
+    }
+
+    /// The same where joints turn on from the rotations that they were given in the poses `before`.
+    fn after(model: &Model, before: &[&Pose], pose: &Pose, formula: &Formula) -> Self {
         let order = model.joints_by(formula.joint_order.by);
         // Which joint's angles of the pose each joint is given.
         let mut angles_of: Vec<usize> = (0..order.len()).collect();
@@ -242,7 +257,7 @@ impl Joints {
         let parent = |joint: usize| model.skeleton().joints()[joint].parent;
         let is_root = |joint: usize| parent(joint).is_none();
         let own = &formula.joint;
-        let angles_of = |joint: usize| {
+        let angles_of = |pose: &Pose, joint: usize| {
             let parent = parent(joint).map(|parent| angles_of[parent]);
             let of = own.angles_of.joint(angles_of[joint], parent);
             let of = of.filter(|of| *of < angles_of.len());
@@ -251,7 +266,7 @@ impl Joints {
         let at_rest = |joint: usize| {
             let has_offset = own.bind_offsets.counts(is_root(joint), false);
             let translation = bind_tree.offsets[joint] * f64::from(has_offset);
-            own.parent_from_joint(translation, DVec3::ZERO, false)
+            DAffine3::from_translation(translation)
         };
         let bind = bind_tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
         let left = match formula.left_on_stack {
@@ -270,7 +285,7 @@ impl Joints {
             let mut angles = DVec3::ZERO;
             let mut moved = DVec3::ZERO;
             if own.has_pose {
-                angles = angles_of(joint);
+                angles = angles_of(pose, joint);
                 moved = pose.root_offset(joint).as_dvec3();
             }
             let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
@@ -278,7 +293,11 @@ impl Joints {
                 translation = offset(joint) + moved;
             }
             let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
-            own.parent_from_joint(translation, angles, rotates_first)
+            let begun = before
+                .iter()
+                .map(|pose| own.rotation(angles_of(pose, joint)));
+            let rotation = begun.product::<DMat3>() * own.rotation(angles);
+            parent_from_joint(translation, rotation, rotates_first)
         });
         Self {
             current,
@@ -426,13 +445,8 @@ impl Tree {
 }
 
 impl JointFormula {
-    /// The transform of a joint from its translation and its angles in radians: T · R, or R · T if it `rotates_first`.
-    fn parent_from_joint(
-        &self,
-        translation: DVec3,
-        radians: DVec3,
-        rotates_first: bool,
-    ) -> DAffine3 {
+    /// The rotation of a joint from its angles in radians.
+    fn rotation(&self, radians: DVec3) -> DMat3 {
         let used = DVec3::from_array(self.axes.map(|axis| radians[axis]));
         let angles = used * DVec3::from_array(self.angles);
         let angles = match self.units {
@@ -444,15 +458,19 @@ impl JointFormula {
         if self.is_transposed {
             rotation = rotation.transpose();
         }
-        let rotation: DMat3 = std::iter::repeat_n(rotation, self.times).product();
-        DAffine3 {
-            matrix3: rotation,
-            translation: if rotates_first {
-                rotation * translation
-            } else {
-                translation
-            },
-        }
+        std::iter::repeat_n(rotation, self.times).product()
+    }
+}
+
+/// The transform of a joint from its translation and its rotation: T · R, or R · T if it `rotates_first`.
+fn parent_from_joint(translation: DVec3, rotation: DMat3, rotates_first: bool) -> DAffine3 {
+    DAffine3 {
+        matrix3: rotation,
+        translation: if rotates_first {
+            rotation * translation
+        } else {
+            translation
+        },
     }
 }
 

@@ -5,7 +5,7 @@ use crate::character::skinning::skin_positions;
 use crate::character::{Attachments, Character, Pose};
 use crate::diagnose::{
     ANGLES_KEPT, BIND_OF_OTHER_POSE, Formula, LAST_RESULT_SKINNED, MISTAKES, Mistake,
-    SUM_NOT_RESET, measure, skin_by,
+    SUM_NOT_RESET, measure, skin_after, skin_by,
 };
 use crate::geometry::Mesh;
 use crate::math::Euler;
@@ -191,15 +191,20 @@ impl Kept<'_> {
             ways.push((&BIND_OF_OTHER_POSE, how, bound));
         }
         let those = format!("those of {}", self.named(" together"));
-        let angles: [(String, Angles); 3] = [
+        let angles: [(String, Angles); 2] = [
             (format!("{those}, where the test has none"), left),
             (format!("{those}, to which its own are added"), added),
-            (format!("{those}, from which joints turn on"), turned_on),
         ];
         ways.extend(angles.into_iter().map(|(how, angles)| {
             let pose = self.posed(own.pose, angles);
             (&ANGLES_KEPT, how, self.by.skin(&pose))
         }));
+        let turned_on = self.turned_on(own.pose);
+        ways.push((
+            &ANGLES_KEPT,
+            format!("{those}, from which joints turn on"),
+            turned_on,
+        ));
         ways
     }
 
@@ -227,6 +232,13 @@ impl Kept<'_> {
         others.fold(places.to_vec(), |sum, other| places_with(&sum, other))
     }
 
+    /// What comes of `pose` where its rotations are multiplied onto those before.
+    fn turned_on(&self, pose: &Pose) -> Vec<Vec3> {
+        let before: Vec<&Pose> = self.tests.iter().map(|test| test.pose).collect();
+        let formula = self.by.formula.cloned().unwrap_or_default();
+        skin_after(self.by.character, &before, pose, &formula).positions
+    }
+
     /// The pose that comes of `pose` where each joint has what `angles` makes of those before and of its own.
     fn posed(&self, pose: &Pose, angles: Angles) -> Pose {
         let mut posed = Pose::new();
@@ -250,11 +262,6 @@ fn left(before: Euler, own: Euler) -> Euler {
 
 fn added(before: Euler, own: Euler) -> Euler {
     Euler::from_radians(before.radians + own.radians)
-}
-
-fn turned_on(before: Euler, own: Euler) -> Euler {
-    let rotation = before.to_dmat3() * own.to_dmat3();
-    Euler::nearest(rotation.as_mat3(), own)
 }
 
 /// The sums of the places of each vertex.

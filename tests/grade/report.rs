@@ -6,7 +6,7 @@ use crate::grade::support::{Class, result};
 use crate::program::editor_in;
 use editor_core::character::skinning::skin_positions;
 use editor_core::math::Euler;
-use glam::{Mat4, Vec3};
+use glam::{EulerRot, Mat3, Mat4, Vec3};
 use serde_json::json;
 
 fn class() -> Class {
@@ -318,6 +318,7 @@ fn what_is_kept_of_other_tests_is_named_beside_the_mistake_that_all_of_them_show
     class.submit("ann", &shifted, |number| number.to_string());
     class.submit("bob", &zyx, |number| number.to_string());
     class.submit("cid", &shifted, |number| number.to_string());
+    class.submit("dan", &zyx, |number| number.to_string());
     let write = |student: &str, test: usize, places: &[Vec3]| {
         let (test, figure) = &class.tests[test];
         let text = obj(places, figure, |number| number.to_string());
@@ -333,8 +334,19 @@ fn what_is_kept_of_other_tests_is_named_beside_the_mistake_that_all_of_them_show
     write("bob", 1, &sum);
     let degrees = |joint: usize| (0..3).map(|test| figure(test).degrees[joint]).sum();
     write("cid", 2, &shifted.skin(&Figure::builtin("robot", degrees)));
+    // Its rotations, each Rz · Ry · Rx, are multiplied onto those of the test before.
+    let turned_on = |joint: usize| {
+        let [before, own] = [0, 1].map(|test| {
+            let [x, y, z] = figure(test).degrees[joint].to_array().map(f32::to_radians);
+            Mat3::from_euler(EulerRot::ZYX, z, y, x)
+        });
+        let (z, y, x) = (before * own).to_euler(EulerRot::ZYX);
+        Vec3::new(x, y, z) * (180.0 / std::f32::consts::PI)
+    };
+    write("dan", 1, &zyx.skin(&Figure::builtin("robot", turned_on)));
     let report = class.graded();
     for (student, test, ids) in [
+        ("dan", "robot-2", ["angles-kept", "euler-zyx"]),
         ("ann", "robot-2", ["last-result-skinned", "weights-shifted"]),
         ("bob", "robot-2", ["sum-not-reset", "euler-zyx"]),
         ("cid", "robot-3", ["angles-kept", "weights-shifted"]),
