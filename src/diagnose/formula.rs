@@ -1,5 +1,6 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
+pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
 use glam::{DVec3, DVec4};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
@@ -172,6 +173,18 @@ pub enum Popped {
     Leaves,
 }
 
+impl Popped {
+    /// Whether the stack is popped after a joint, which has no children if it `is_leaf`.
+    pub(super) fn pops(self, is_leaf: bool) -> bool {
+        match self {
+            Self::All => true,
+            Self::None => false,
+            Self::ButLeaves => !is_leaf,
+            Self::Leaves => is_leaf,
+        }
+    }
+}
+
 /// What lies on the matrix stack before the roots are pushed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeftOnStack {
@@ -283,106 +296,6 @@ impl Divided {
             Self::Nothing | Self::Each => 1.0,
         }
     }
-}
-
-/// Which weights of a vertex count, and how much.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WeightFormula {
-    /// Which row of the file a vertex has.
-    pub rows: Rows,
-    /// Whether the weights are rounded first.
-    pub rounded: Rounded,
-    /// Whether the weights are divided by their sum then.
-    pub is_normalized: bool,
-    /// Which of them are kept.
-    pub kept: Kept,
-    /// How those that are kept are changed.
-    pub rescaled: Rescaled,
-    /// Which joint each belongs to.
-    pub columns: Columns,
-    /// Factor of each in the end.
-    pub factor: f64,
-}
-
-/// Whole numbers for weights.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rounded {
-    /// Weights are as they are.
-    No,
-    /// The next one below.
-    Down,
-    /// The nearest one.
-    ToNearest,
-}
-
-impl Rounded {
-    pub(super) fn weight(self, weight: f64) -> f64 {
-        match self {
-            Self::No => weight,
-            Self::Down => weight.floor(),
-            Self::ToNearest => weight.round(),
-        }
-    }
-}
-
-/// How weights that are kept make up for those that are not.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rescaled {
-    /// Not at all.
-    No,
-    /// They are divided by their sum.
-    ToOne,
-    /// They are divided by their sum where some were left out.
-    ToOneWhereCut,
-    /// They sum to what all did.
-    ToSumOfAll,
-}
-
-/// Which row of weights a vertex is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rows {
-    /// Its own.
-    Exact,
-    /// The one of the vertex before it; the first vertex has none, or for a diagnosis its own or the last one.
-    Before,
-    /// The one of the vertex after it; the last vertex has none, or for a diagnosis its own or the first one.
-    After,
-}
-
-/// Which joint a column of weights is taken for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Columns {
-    /// Its own: column c is joint c + 1.
-    Exact,
-    /// The one before, for column 0 the root.
-    Before,
-    /// The one before, without column 0.
-    BeforeWithoutFirst,
-    /// The one after, which the last column lacks.
-    After,
-    /// Its own for the last joint, and none for all others.
-    LastAlone,
-    /// None for the last joint, and its own for all others.
-    WithoutLast,
-    /// Its own, but for that of one joint, which counts for none.
-    Without(usize),
-    /// Its own, but for two joints, each of which has the other's.
-    Exchanged(usize, usize),
-}
-
-/// Which weights of a vertex are kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kept {
-    /// All.
-    All,
-    /// So many of the largest; of equals those that come first, though a diagnosis takes any.
-    Largest(usize),
-    /// So many of those that are not zero, in the order of the joints.
-    First(usize),
-    /// The last of those that are not zero, in the order of the joints.
-    Last,
-    /// Those of at least this, in single precision.
-    From(f64),
 }
 
 /// Which joint an index means.

@@ -11,6 +11,7 @@ mod findings;
 mod formula;
 mod found_otherwise;
 mod job;
+mod joint_transforms;
 mod made_alone;
 mod measure;
 mod mistaken;
@@ -31,6 +32,7 @@ mod skin;
 mod small_weights;
 mod triangles;
 mod vertex_formula;
+mod weight_formula;
 mod whole_program;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};

@@ -2,8 +2,9 @@
 //! the pose.
 
 use super::formula::{Factor, Factors, Formula};
+use super::joint_transforms::Joints;
 use super::model::Model;
-use super::skin::{Joints, keep};
+use super::skin::keep;
 use crate::character::{Character, Pose};
 use glam::{DMat4, DVec3, DVec4, Vec4Swizzles};
 

@@ -43,21 +43,16 @@ impl JointTurn {
         joint: usize,
         together: Together,
     ) -> Option<Self> {
-        let joints = session
-            .scene()
-            .character(shape)?
-            .character
-            .skeleton()
-            .joints();
+        let skeleton = session.scene().character(shape)?.character.skeleton();
         let selected = session.selected_joints();
         if session.selected() != Some(shape) || !selected.contains(&joint) {
             return Self::of_one(session, shape, joint);
         }
-        let means_all = selected.len() == joints.len();
+        let means_all = selected.len() == skeleton.joints().len();
         let only_topmost = means_all || together == Together::Topmost;
-        let above = |joint: usize| joints.get(joint).and_then(|joint| joint.parent);
         let topmost = |joint: usize| {
-            let chain = std::iter::successors(Some(joint), |&joint| above(joint));
+            let above = |&joint: &usize| skeleton.joints().get(joint)?.parent;
+            let chain = std::iter::successors(Some(joint), above);
             chain.filter(|joint| selected.contains(joint)).last()
         };
         let turned = topmost(joint).filter(|_| only_topmost).unwrap_or(joint);

@@ -114,15 +114,16 @@ impl Test {
     }
 
     fn grade_mesh(&self, bytes: &[u8], tests: &[Self]) -> Graded {
-        let is_vertex = |line: &[u8]| {
+        let is_vertex = |line: &str| {
             let line = line.trim_ascii_start();
-            line.starts_with(b"v ") || line.starts_with(b"v\t")
+            line.starts_with("v ") || line.starts_with("v\t")
         };
         let name = self.file_name();
         let bytes = &*in_utf8(bytes);
-        let is_text = std::str::from_utf8(bytes).is_ok();
-        if is_text && !bytes.split(|&byte| byte == b'\n').any(is_vertex) {
-            return Graded::without(Outcome::Blank, no_vertices(bytes));
+        if let Ok(text) = std::str::from_utf8(bytes)
+            && !text.lines().any(is_vertex)
+        {
+            return Graded::without(Outcome::Blank, no_vertices(text));
         }
         let no_numbers = NoNumbers::find(bytes);
         let readable = no_numbers.as_ref().map_or(bytes, |found| &found.without);
@@ -384,18 +385,14 @@ impl Write for Digest {
 }
 
 /// That a file has no vertices, and whether it has what may be meant for them.
-fn no_vertices(bytes: &[u8]) -> String {
-    let is_number = |word: &[u8]| {
-        let word = std::str::from_utf8(word).unwrap_or_default();
-        word.parse::<f64>().is_ok()
+fn no_vertices(text: &str) -> String {
+    let has_three = |line: &&str| {
+        let words = line.split(|c: char| c.is_whitespace() || c == ',');
+        let words = words.filter(|word| !word.is_empty() && *word != "V");
+        let numbers = words.take_while(|word| word.parse::<f64>().is_ok());
+        numbers.take(3).count() == 3
     };
-    let has_three = |line: &&[u8]| {
-        let words = line.split(|byte| byte.is_ascii_whitespace() || *byte == b',');
-        let mut words = words.filter(|word| !word.is_empty());
-        let mut numbers = words.by_ref().skip_while(|word| **word == *b"V");
-        (0..3).all(|_| numbers.next().is_some_and(is_number))
-    };
-    let lines = bytes.split(|&byte| byte == b'\n').filter(has_three).count();
+    let lines = text.lines().filter(has_three).count();
     let begins = match lines {
         0 => return "the file has no vertices".to_owned(),
         1 => "1 line with three numbers begins".to_owned(),

@@ -239,18 +239,21 @@ impl Program {
     }
 
     pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8], pasted: &Pasted) {
-        let shape = match PoseFile::read(path, bytes) {
-            Ok(file) if path != Path::new(CLIPBOARD) => self.meant_by(shape, &file, path),
-            _ => shape,
-        };
-        let Some(character) = self.session.scene().character(shape) else {
+        if self.session.scene().character(shape).is_none() {
             return self.tell_no_character(path);
-        };
-        let skeleton = character.character.skeleton();
+        }
         let file = match PoseFile::read(path, bytes) {
             Ok(file) => file,
             Err(error) => return self.tell(Severity::Error, error.to_string()),
         };
+        let shape = match path == Path::new(CLIPBOARD) {
+            true => shape,
+            false => self.meant_by(shape, &file, path),
+        };
+        let Some(character) = self.session.scene().character(shape) else {
+            return;
+        };
+        let skeleton = character.character.skeleton();
         if let Some(joint) = file.first_joint()
             && path == Path::new(CLIPBOARD)
             && !file.fits(skeleton)

@@ -170,9 +170,13 @@ impl Held {
     /// By how much it has turned or moved, as text, or what is typed for that; with the axes of the joint or shape if it
     /// is along these that keys hold it.
     pub(super) fn readout(&self) -> String {
-        match self.typed.constraint(self.axes) {
+        let amount = match self.typed.constraint(self.axes) {
             Some((_, GizmoAxes::Local)) => format!("local {}", self.amount()),
             _ => self.amount(),
+        };
+        match self.typed.why_ended() {
+            Some(why) => format!("{amount} {why}"),
+            None => amount,
         }
     }
 

@@ -6,6 +6,7 @@ mod paint;
 mod paint_gizmo;
 mod pointer;
 mod readout;
+mod rolling;
 mod shown_gizmo;
 mod tool_bar;
 mod tool_icons;
@@ -13,7 +14,8 @@ mod typed;
 
 pub(super) use ik::{has_pins, joints_to_pin, toggle_pins, unpin_all};
 use pointer::bone_at;
-pub(super) use pointer::{pointer, put_back, roll_by_keys};
+pub(super) use pointer::{pointer, put_back};
+pub(super) use rolling::roll_by_keys;
 pub(super) use tool_bar::BAR_HEIGHT;
 pub(super) use typed::Typed;
 
@@ -85,7 +87,6 @@ impl PoseState {
         *self = Self {
             tool: self.tool,
             axes: self.axes,
-            together: self.together,
             ..Self::default()
         };
     }

@@ -1,18 +1,16 @@
-//! What the pointer and the arrow keys do to bones, gizmos and shapes with the chosen tool.
+//! What the pointer does to bones, gizmos and shapes with the chosen tool.
 
 use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
-use super::{PoseState, Rolled, ik, shows_skeleton, takes_bones_of};
-use crate::editor::{
-    BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll, root_of,
-};
+use super::{PoseState, ik, shows_skeleton, takes_bones_of};
+use crate::editor::{BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, Session, Tool, View, root_of};
 use crate::math::Ray;
 use crate::scene::{BoneHit, ShapeId, pick_bone};
-use crate::ui::grab::{Grab, PointerUse, is_pickable};
+use crate::ui::grab::{Grab, PointerUse};
 use crate::ui::pointing::Pointing;
 use crate::ui::scene_places::{Place, ScenePlaces};
-use crate::ui::{Action, GestureStep, Navigation, UiState};
-use egui::{Context, CursorIcon, Event, InputState, Key, Modifiers, Pos2, Response};
+use crate::ui::{Action, GestureStep};
+use egui::{CursorIcon, InputState, Pos2, Response};
 use glam::Vec2;
 
 /// Distance in points within which a bone is taken, however thin it is: with a mouse or a pen, and
@@ -118,7 +116,7 @@ pub(in crate::ui) fn pointer(
             view.ctx.set_cursor_icon(CursorIcon::Grab);
             return PointerUse::Free;
         }
-        // A click does nothing to a handle.
+        // A handle is dragged: a click on it means the bone that is there.
         Under::Handle(Some((hit, place))) | Under::Bone(hit, place) if view.clicked() => {
             let joint = target_joint(session, state.tool, &hit, place);
             let adds = |input: &InputState| input.modifiers.shift || input.modifiers.command;
@@ -331,95 +329,4 @@ fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Act
     if bone != session.hovered_bone() {
         actions.push(Action::View(View::HoverBone(bone)));
     }
-}
-
-/// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while
-/// Left or Right is pressed over the view. If the navigation turns the camera by these keys, only
-/// the bone under the pointer or its rings, and a key that was pressed beside all bones goes on turning the camera while it is held,
-/// whatever comes below the pointer. To be called before the panels, which use these keys, too.
-pub(in crate::ui) fn roll_by_keys(
-    ctx: &Context,
-    session: &Session,
-    state: &mut UiState,
-    actions: &mut Vec<Action>,
-) {
-    let is_press = |event: &Event| {
-        matches!(
-            event,
-            Event::Key {
-                key: Key::ArrowLeft | Key::ArrowRight,
-                pressed: true,
-                repeat: false,
-                ..
-            }
-        )
-    };
-    if ctx.input(|input| input.events.iter().any(is_press)) {
-        state.pose.turns_camera = state.pose.hovered.is_none() && state.pose.hot.is_none();
-    }
-    if let Some(rolled) = &mut state.pose.rolled
-        && !session.is_in_gesture()
-    {
-        rolled.document.get_or_insert(session.document());
-    }
-    let pose = &state.pose;
-    if pose.tool != Tool::Pose || !pose.over_view {
-        return;
-    }
-    let is_mannequin = state.navigation == Navigation::Mannequin;
-    let hovered = pose
-        .hovered
-        .filter(|_| !(is_mannequin && pose.turns_camera));
-    let under_pointer = hovered.map(|hit| (hit.shape, hit.bone));
-    // Over a ring it is about the bone that this turns.
-    let selected = || match is_mannequin && (pose.hot.is_none() || pose.turns_camera) {
-        true => None,
-        false => bone_of_selected_joint(session, pose),
-    };
-    let Some((shape, bone)) = under_pointer.or_else(selected) else {
-        return;
-    };
-    let steps = ctx.input_mut(|input| {
-        // A press that is consumed does not turn the camera as well.
-        let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
-        right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
-    });
-    if steps == 0.0 {
-        return;
-    }
-    let Some(edit) = roll(session, shape, bone, steps * ROLL_STEP) else {
-        return;
-    };
-    let document = Some(session.document());
-    let goes_on = |rolled: Rolled| rolled.bone == (shape, bone) && rolled.document == document;
-    if pose.rolled.is_some_and(goes_on) {
-        actions.push(Action::Gesture(GestureStep::BeginOnLastStep));
-    }
-    actions.push(Action::Edit(edit));
-    state.pose.rolled = Some(Rolled {
-        bone: (shape, bone),
-        document: None,
-    });
-    // What the roll swings under the pointer is not what is meant by the next tap.
-    if let Some(hit) = hovered {
-        let at = ctx.input(|input| input.pointer.latest_pos());
-        state.pose.let_go = at.map(|at| (at, (hit.shape, hit.joint)));
-        state.pose.taken = Some(hit);
-    }
-}
-
-/// Character and index of a bone of the selected joint: the one dragged or clicked last, or else
-/// the first.
-fn bone_of_selected_joint(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
-    let shape = session.selected().filter(|&id| is_pickable(session, id))?;
-    let joint = session.selected_joint()?;
-    let taken = state
-        .taken
-        .filter(|hit| (hit.shape, hit.joint) == (shape, joint));
-    if let Some(hit) = taken {
-        return Some((shape, hit.bone));
-    }
-    let bones = session.scene().character(shape)?.character.bones();
-    let first = bones.iter().position(|bone| bone.joint == joint)?;
-    Some((shape, first))
 }

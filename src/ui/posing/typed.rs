@@ -151,11 +151,14 @@ impl Typed {
 
     /// What was typed for the number, with a mark where typing goes on; `None` if there is nothing.
     pub(super) fn shown(&self) -> Option<String> {
-        let after = match self.is_ended {
-            true => " (one number alone; Backspace goes on with it)",
-            false => "|",
-        };
-        (!self.text.is_empty()).then(|| format!("{}{after}", self.text.replace('-', "−")))
+        let mark = if self.is_ended { "" } else { "|" };
+        (!self.text.is_empty()).then(|| format!("{}{mark}", self.text.replace('-', "−")))
+    }
+
+    /// Why nothing more is taken for the number, if so.
+    pub(super) fn why_ended(&self) -> Option<&'static str> {
+        self.is_ended
+            .then_some("(one number alone; Backspace goes on with it)")
     }
 
     /// Whether Enter was pressed.
@@ -183,12 +186,13 @@ mod tests {
         assert!(typed.take(Key::Tab, false));
         "0.2".chars().for_each(|digit| typed.push(digit));
         assert_eq!(typed.amount(), Some(0.4));
-        let shown = typed.shown().unwrap();
-        assert_eq!(shown, "0.4 (one number alone; Backspace goes on with it)");
+        assert_eq!(typed.shown().unwrap(), "0.4");
+        assert!(typed.why_ended().is_some());
         assert!(typed.take(Key::Backspace, false));
         typed.push('5');
         assert_eq!(typed.amount(), Some(0.45));
         assert_eq!(typed.shown().unwrap(), "0.45|");
+        assert!(typed.why_ended().is_none());
     }
 
     #[test]

@@ -1,0 +1,267 @@
+//! The transforms of joints by any formula, in double precision.
+
+use super::formula::{
+    AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack, OtherJoint,
+    Popped,
+};
+use super::model::Model;
+use crate::character::Pose;
+use glam::{DAffine3, DMat3, DMat4, DVec3};
+
+/// The transforms of all joints from their frames to model space, by a formula.
+#[derive(Debug)]
+pub(super) struct Joints {
+    /// T.
+    current: Vec<DAffine3>,
+    /// B.
+    bind: Vec<DAffine3>,
+    /// Joint that each index of a program means.
+    order: Vec<usize>,
+}
+
+impl Joints {
+    pub(super) fn new(model: &Model, pose: &Pose, formula: &Formula) -> Self {
+        Self::after(model, &[], pose, formula)
+    }
+
+    /// The same where joints turn on from the rotations that they were given in the poses `before`.
+    pub(super) fn after(model: &Model, before: &[&Pose], pose: &Pose, formula: &Formula) -> Self {
+        let order = model.joints_by(formula.joint_order.by);
+        // Which joint's angles of the pose each joint is given.
+        let mut angles_of: Vec<usize> = (0..order.len()).collect();
+        if formula.joint_order.has_angles {
+            for (index, &joint) in order.iter().enumerate() {
+                angles_of[joint] = index;
+            }
+        }
+        let [tree, bind_tree] = formula.popped.map(|popped| {
+            let tree = Tree::new(model, formula.other_joint);
+            match popped {
+                Popped::All => tree,
+                popped => tree.on_stack(model.joints_by(JointsBy::Depth), popped),
+            }
+        });
+        let offset = |joint: usize| tree.offsets[joint];
+        let parent = |joint: usize| model.skeleton().joints()[joint].parent;
+        let is_root = |joint: usize| parent(joint).is_none();
+        let own = &formula.joint;
+        let angles_of = |pose: &Pose, joint: usize| {
+            let parent = parent(joint).map(|parent| angles_of[parent]);
+            let of = own.angles_of.joint(angles_of[joint], parent);
+            let of = of.filter(|of| *of < angles_of.len());
+            of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
+        };
+        let at_rest = |joint: usize| {
+            let has_offset = own.bind_offsets.counts(is_root(joint), false);
+            let translation = bind_tree.offsets[joint] * f64::from(has_offset);
+            DAffine3::from_translation(translation)
+        };
+        let bind = bind_tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
+        let left = match formula.left_on_stack {
+            LeftOnStack::Nothing => None,
+            LeftOnStack::Root => bind_tree.order.first().map(|&root| bind[root]),
+            LeftOnStack::LastVisited(times) => {
+                let visited = model.joints_by(JointsBy::Depth);
+                let last = visited.last().copied();
+                let tree = Tree::new(model, formula.other_joint).on_stack(visited, Popped::None);
+                let bind = tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
+                last.map(|last| std::iter::repeat_n(&bind[last], times).product())
+            }
+        };
+        let current = tree.chained(formula.chain, left.unwrap_or_default(), |joint| {
+            let mut translation = DVec3::ZERO;
+            let mut angles = DVec3::ZERO;
+            let mut moved = DVec3::ZERO;
+            let mut rotation = DMat3::IDENTITY;
+            if own.has_pose {
+                angles = angles_of(pose, joint);
+                moved = pose.root_offset(joint).as_dvec3();
+                let all = before.iter().copied().chain([pose]);
+                rotation = all
+                    .map(|pose| own.rotation(angles_of(pose, joint)))
+                    .product();
+            }
+            let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
+            if own.offsets.counts(is_root(joint), is_posed) {
+                translation = offset(joint) + moved;
+            }
+            let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
+            parent_from_joint(translation, rotation, rotates_first)
+        });
+        Self {
+            current,
+            bind,
+            order,
+        }
+    }
+
+    /// A matrix of `joint`.
+    pub(super) fn matrix(&self, factor: Factor, joint: usize) -> DMat4 {
+        let (current, bind) = (self.current[joint], self.bind[joint]);
+        match factor {
+            Factor::Current => current.into(),
+            Factor::Bind => bind.into(),
+            Factor::InverseBind => bind.inverse().into(),
+            Factor::CurrentTransposed => DMat4::from(current).transpose(),
+            Factor::BindTransposed => DMat4::from(bind).transpose(),
+            Factor::InverseCurrent => current.inverse().into(),
+            Factor::InverseBindTransposed => DMat4::from(bind.inverse()).transpose(),
+        }
+    }
+
+    /// The joint that a weight moves a vertex with whose index in the file is `index`; `None` if it is
+    /// taken for none.
+    pub(super) fn moved_by(&self, columns: Columns, index: usize) -> Option<usize> {
+        let place = match columns {
+            Columns::Exact => index,
+            Columns::Before => index.checked_sub(1)?,
+            Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
+            Columns::After => index + 1,
+            Columns::LastAlone if index + 1 < self.order.len() => return None,
+            Columns::WithoutLast if index + 1 == self.order.len() => return None,
+            Columns::LastAlone | Columns::WithoutLast => index,
+            Columns::Without(joint) if index == joint => return None,
+            Columns::Without(_) => index,
+            Columns::Exchanged(a, b) if index == a => b,
+            Columns::Exchanged(a, b) if index == b => a,
+            Columns::Exchanged(..) => index,
+        };
+        self.order.get(place).copied()
+    }
+
+    /// What moves vertices, by the index that a weight has.
+    pub(super) fn palette(&self, formula: &Formula) -> Vec<Option<DMat4>> {
+        let product = |joint: usize| {
+            let factors = formula.factors.in_order().iter();
+            factors.fold(DMat4::IDENTITY, |product, &factor| {
+                self.matrix(factor, joint) * product
+            })
+        };
+        let by_index = (0..self.order.len()).map(|index| {
+            let joint = self.moved_by(formula.weights.columns, index);
+            joint.map(product)
+        });
+        by_index.collect()
+    }
+}
+
+/// The joints as a program has them.
+struct Tree {
+    parents: Vec<Option<usize>>,
+    offsets: Vec<DVec3>,
+    /// Parents before their children.
+    order: Vec<usize>,
+}
+
+impl Tree {
+    fn new(model: &Model, other: Option<OtherJoint>) -> Self {
+        let joints = model.skeleton().joints();
+        let mut tree = Self {
+            parents: joints.iter().map(|joint| joint.parent).collect(),
+            offsets: joints.iter().map(|joint| joint.offset.as_dvec3()).collect(),
+            order: model.by_depth.clone(),
+        };
+        if let Some(other) = other {
+            tree.parents[other.joint] = other.parent;
+            tree.offsets[other.joint] = other.offset;
+            // What hangs on the joint stays behind it, and its new parent is none of these.
+            let (moved, others): (Vec<usize>, _) = tree
+                .order
+                .iter()
+                .partition(|&&joint| model.hangs_on(joint, other.joint));
+            tree.order = others.into_iter().chain(moved).collect();
+        }
+        tree
+    }
+
+    /// The same joints, each of which hangs on what is on top of the matrix stack when it is pushed, in the order
+    /// `visited`.
+    fn on_stack(mut self, visited: Vec<usize>, popped: Popped) -> Self {
+        let own = self.parents.clone();
+        let mut is_leaf = vec![true; own.len()];
+        for &parent in own.iter().flatten() {
+            is_leaf[parent] = false;
+        }
+        let mut stack = Vec::new();
+        let mut open: Vec<usize> = Vec::new();
+        for &joint in &visited {
+            // Those whose children have all been visited end first.
+            while let Some(last) = open.pop_if(|last| own[joint] != Some(*last)) {
+                if popped.pops(is_leaf[last]) {
+                    stack.pop();
+                }
+            }
+            self.parents[joint] = stack.last().copied();
+            stack.push(joint);
+            open.push(joint);
+        }
+        self.order = visited;
+        self
+    }
+
+    /// The transform of each joint from `own`, relative to its parent. Roots follow `left`.
+    fn chained(
+        &self,
+        chain: Chain,
+        left: DAffine3,
+        own: impl Fn(usize) -> DAffine3,
+    ) -> Vec<DAffine3> {
+        let mut model_from_joint = vec![DAffine3::IDENTITY; self.parents.len()];
+        for &joint in &self.order {
+            let of_joint = own(joint);
+            let Some(parent) = self.parents[joint] else {
+                model_from_joint[joint] = left * of_joint;
+                continue;
+            };
+            let model_from_parent = model_from_joint[parent];
+            model_from_joint[joint] = match chain {
+                Chain::Own => of_joint,
+                Chain::ParentOwn => model_from_parent * of_joint,
+                Chain::OwnParent => of_joint * model_from_parent,
+                Chain::ParentsOwn => own(parent) * of_joint,
+                Chain::WithoutRotations => {
+                    DAffine3::from_translation(model_from_parent.translation) * of_joint
+                }
+            };
+        }
+        model_from_joint
+    }
+}
+
+impl JointFormula {
+    /// The rotation of a joint from its angles in radians.
+    fn rotation(&self, radians: DVec3) -> DMat3 {
+        let used = DVec3::from_array(self.axes.map(|axis| radians[axis]));
+        let angles = used * DVec3::from_array(self.angles);
+        let angles = match self.units {
+            AngleUnits::Radians => angles,
+            AngleUnits::Degrees => angles.map(f64::to_degrees),
+            AngleUnits::ConvertedTwice => angles.map(f64::to_radians),
+        };
+        let mut rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();
+        if self.is_transposed {
+            rotation = rotation.transpose();
+        }
+        std::iter::repeat_n(rotation, self.times).product()
+    }
+}
+
+/// The transform of a joint from its translation and its rotation: T · R, or R · T if it `rotates_first`.
+fn parent_from_joint(translation: DVec3, rotation: DMat3, rotates_first: bool) -> DAffine3 {
+    DAffine3 {
+        matrix3: rotation,
+        translation: if rotates_first {
+            rotation * translation
+        } else {
+            translation
+        },
+    }
+}
+
+fn about(axis: usize, angles: DVec3) -> DMat3 {
+    match axis {
+        0 => DMat3::from_rotation_x(angles.x),
+        1 => DMat3::from_rotation_y(angles.y),
+        _ => DMat3::from_rotation_z(angles.z),
+    }
+}
