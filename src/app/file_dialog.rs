@@ -6,7 +6,7 @@ use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextEdit,
+    Align2, Context, Event, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextEdit,
     TextStyle, Vec2, pos2, vec2,
 };
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
@@ -147,6 +147,8 @@ impl OpenDialog {
         if edits_path {
             // The dialog passes over the key while the name has the keyboard.
             surrender_focus(context);
+        } else {
+            self.type_name(context);
         }
         let layer = self.layer();
         ui::in_colors_of_file_dialogs(context, layer, || {
@@ -181,6 +183,23 @@ impl OpenDialog {
             self.name_field = context.memory(|memory| memory.focused());
         }
         picked
+    }
+
+    /// Gives the keyboard back to the name where a letter is typed after a click elsewhere, such as on a
+    /// folder. What is typed replaces the name, as where the dialog opens.
+    fn type_name(&self, context: &Context) {
+        let is_saved = !self.request.purpose.written().is_empty();
+        let Some(name) = self.name_field.filter(|_| is_saved && !self.asks) else {
+            return;
+        };
+        let types = context.input(|input| {
+            let is_text = |event: &Event| matches!(event, Event::Text(_) | Event::Paste(_));
+            input.events.iter().any(is_text)
+        });
+        if types && context.memory(|memory| memory.focused()).is_none() {
+            context.memory_mut(|memory| memory.request_focus(name));
+            select_all(context, name);
+        }
     }
 
     /// Rectangle of the dialog, in points.
@@ -397,6 +416,31 @@ mod tests {
             chosen = chosen.or(keys(events, &mut dialog));
         }
         assert_eq!(chosen, Some(folder.path().join("b.scene")));
+    }
+
+    #[test]
+    fn a_name_is_typed_after_a_click_elsewhere_in_the_dialog() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut dialog = opened(Purpose::SaveScene, folder.path(), "a.scene");
+        let context = Context::default();
+        let mut chosen = None;
+        for number in 0..3 {
+            frame(&context, &mut dialog, Vec::new());
+            // As a click beside the name does.
+            if number == 2 {
+                surrender_focus(&context);
+            }
+        }
+        for events in [
+            Vec::new(),
+            vec![egui::Event::Text("b".to_owned())],
+            vec![egui::Event::Text("c".to_owned())],
+            pressed(Key::Enter).to_vec(),
+            Vec::new(),
+        ] {
+            chosen = chosen.or(frame(&context, &mut dialog, events).1);
+        }
+        assert_eq!(chosen, Some(folder.path().join("bc.scene")));
     }
 
     #[test]

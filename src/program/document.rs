@@ -260,12 +260,20 @@ impl Program {
     }
 
     /// Lets a file be chosen in the folder of the last one of its kind, or of the document if it is that
-    /// which is saved; one that is to be written is called `name` until the user does otherwise.
+    /// which is saved, or if the file is the first of its kind that is written; one that is to be written is called `name`
+    /// until the user does otherwise.
     pub(super) fn choose_file(&self, purpose: Purpose, name: &str, host: &mut dyn Host) {
         let is_scene = matches!(purpose, Purpose::SaveScene | Purpose::SaveWithFiles);
-        let own = self.document.path.as_deref().filter(|_| is_scene);
-        let own = own.and_then(Path::parent).map(Path::to_owned);
-        let folder = own.or_else(|| self.folder_for(purpose.kind()));
+        let of_document = self.document.path.as_deref().and_then(Path::parent);
+        let of_document = of_document.filter(|_| !purpose.written().is_empty());
+        let of_document = of_document.map(Path::to_owned);
+        let of_kind = || self.folder_of_last(purpose.kind());
+        let own = if is_scene {
+            of_document.or_else(of_kind)
+        } else {
+            of_kind().or(of_document)
+        };
+        let folder = own.or_else(|| self.preferences.last_folder.clone());
         // Two quick Enters must not replace another scene.
         let name = if is_scene {
             free_name(name, folder.as_deref(), &*host.files())

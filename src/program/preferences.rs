@@ -121,12 +121,6 @@ impl Preferences {
         self.folders.extend(folder.map(|folder| (kind, folder)));
     }
 
-    /// Folder for a dialog about files of a kind: the last of that kind, or else of any but references.
-    pub fn folder_for(&self, kind: FileKind) -> Option<PathBuf> {
-        let folder = self.folders.get(&kind);
-        folder.or(self.last_folder.as_ref()).cloned()
-    }
-
     /// Folders that were used last, each once, those of `files` before all others.
     pub fn recent_folders<'a>(&self, files: impl Iterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
         let newest = files.filter_map(|file| file.parent());
@@ -192,11 +186,11 @@ impl Program {
         }
     }
 
-    /// Folder for a dialog about files of a kind, that of a picture that is still being drawn included.
-    pub(super) fn folder_for(&self, kind: FileKind) -> Option<PathBuf> {
+    /// Folder of the last file of a kind, that of a picture that is still being drawn included.
+    pub(super) fn folder_of_last(&self, kind: FileKind) -> Option<PathBuf> {
         let chosen = self.to_write.get(&kind).and_then(|file| file.parent());
         let chosen = chosen.map(Path::to_owned);
-        chosen.or_else(|| self.preferences.folder_for(kind))
+        chosen.or_else(|| self.preferences.folders.get(&kind).cloned())
     }
 
     /// Stores what is kept of the program at its end.
@@ -240,8 +234,10 @@ mod tests {
         let mut preferences = Preferences::default();
         preferences.remember_folder(FileKind::Scenes, Path::new("mine/two.scene"));
         preferences.remember_folder(FileKind::References, Path::new("theirs/walk.png"));
-        let folder = |kind| preferences.folder_for(kind);
-        assert_eq!(folder(FileKind::Pictures), Some("mine".into()));
-        assert_eq!(folder(FileKind::References), Some("theirs".into()));
+        assert_eq!(preferences.last_folder, Some("mine".into()));
+        assert_eq!(
+            preferences.folders[&FileKind::References],
+            Path::new("theirs")
+        );
     }
 }
