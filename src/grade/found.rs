@@ -2,6 +2,7 @@
 
 use super::graded::Outcome;
 use super::report::NEARLY;
+use super::rubric::MOSTLY_POSED;
 use crate::diagnose::{Diagnosis, NearlyRight, Verdict};
 use crate::io::{MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW};
 
@@ -16,6 +17,13 @@ pub(super) fn outcome(verdict: Verdict) -> Outcome {
 
 /// What is known of a mesh that nothing explains whole, in a few words.
 pub(super) fn hint(found: &Diagnosis) -> Option<String> {
+    let mostly = found.other_pose.as_ref();
+    if let Some(other) = mostly.filter(|other| other.as_expected > MOSTLY_POSED) {
+        return Some(match other.joints.len() {
+            1 => "right but for 1 joint".to_owned(),
+            joints => format!("right but for {joints} joints"),
+        });
+    }
     if found.verdict != Verdict::Unexplained {
         return None;
     }

@@ -64,8 +64,9 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
-    /// Of the joints that the test's pose or another one turns or moves, the share that both do, 0 to 1; 0 without another
-    /// pose, and where that is the one of another test.
+    /// How much of the test's pose another one has, 0 to 1
+    /// ([`OtherPose::as_expected`](crate::diagnose::OtherPose::as_expected)); 0 without another pose, and where that is the
+    /// one of another test.
     pub posed: f64,
     /// A PNG that shows what is off, as Base64.
     pub picture: Option<String>,
@@ -91,12 +92,30 @@ impl Graded {
 impl Graded {
     /// The same, where it is known to be the exact result of another test.
     pub(super) fn of_other_test(self, name: &str) -> Self {
-        Self {
-            outcome: Outcome::OtherPose,
-            text: format!(
+        self.posed_by_other(
+            format!(
                 "another test: this is exactly the result of {name}, so that the file may have the wrong name"
             ),
-            hint: Some(format!("the result of {name}")),
+            format!("the result of {name}"),
+        )
+    }
+
+    /// The same, where it is known to be the exact result in the pose of another test, of another character.
+    pub(super) fn in_pose_of_other_test(self, name: &str) -> Self {
+        self.posed_by_other(
+            format!(
+                "another pose: this is exactly the character in the pose of {name}, so that the program may read \
+                 that pose for every test"
+            ),
+            format!("the pose of {name}"),
+        )
+    }
+
+    fn posed_by_other(self, text: String, hint: String) -> Self {
+        Self {
+            outcome: Outcome::OtherPose,
+            text,
+            hint: Some(hint),
             posed: 0.0,
             ..self
         }

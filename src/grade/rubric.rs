@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 /// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it
 /// does.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
-/// Share of the joints that a test's pose or another one turns from which on the other one, where both do, shows all that
-/// the test asks for but some angles.
-const MOSTLY_POSED: f64 = 0.5;
+/// How much of a test's pose another one has that shows all that the test asks for but some angles: more than this, which
+/// any pose of the same joints has.
+pub(super) const MOSTLY_POSED: f64 = 0.5;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
 /// mistake in skinning.
 const LEFT_BY_LITTLE: &[(&str, f64)] = &[
@@ -107,7 +107,7 @@ fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
 
 /// What the exact result of another pose counts as.
 pub(super) fn of_other_pose(graded: &Graded) -> &'static str {
-    if graded.posed >= MOSTLY_POSED {
+    if graded.posed > MOSTLY_POSED {
         RIGHT_BUT_FOR_JOINTS
     } else {
         OTHER_POSE
@@ -291,18 +291,18 @@ pub(super) mod tests {
             agrees: 0.8,
             ..Graded::without(Outcome::OtherPose, "")
         };
-        let slip = of_pose(0.5);
+        let slip = of_pose(0.51);
         assert_eq!(given(TWO, &slip, &rubric), [3.0, 10.0]);
         let told = "right-but-for-joints leaves 50 % of 3.4";
         assert_eq!(why(&test(TWO), &slip, &rubric), [told]);
-        assert_eq!(given(TWO, &of_pose(0.4), &rubric), [0.0, 0.0]);
+        assert_eq!(given(TWO, &of_pose(0.5), &rubric), [0.0, 0.0]);
         // The two have shares of their own.
         for (id, share) in [(OTHER_POSE, 0.25), (RIGHT_BUT_FOR_JOINTS, 0.75)] {
             let name = id.to_owned().try_into().unwrap();
             rubric.mistakes.insert(name, Share(share));
         }
         assert_eq!(given(TWO, &slip, &rubric), [4.5, 10.0]);
-        assert_eq!(given(TWO, &of_pose(0.4), &rubric), [1.5, 2.5]);
+        assert_eq!(given(TWO, &of_pose(0.5), &rubric), [1.5, 2.5]);
     }
 
     #[test]

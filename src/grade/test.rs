@@ -6,13 +6,12 @@ use super::kept::{self, Posed};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NoNumbers, OtherPose, POSE_NOT_APPLIED, PictureError, Verdict, diagnose,
-    diagnose_picture, has_silhouette, measure,
+    Diagnosis, NoNumbers, POSE_NOT_APPLIED, PictureError, Verdict, diagnose, diagnose_picture,
+    has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, read_posed_vertices};
-use crate::math::Euler;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::Vec3;
@@ -156,7 +155,10 @@ impl Test {
             Ok(found) => {
                 let is_open = matches!(found.verdict, Verdict::OtherPose | Verdict::Unexplained);
                 let of_other = self.other_of(tests, |test| is_open && test.is_right(&theirs));
-                let found = match of_other.is_none() && is_open {
+                let in_pose_of = self.other_of(tests, |test| {
+                    is_open && of_other.is_none() && self.is_in_pose_of(test, &theirs)
+                });
+                let found = match of_other.or(in_pose_of).is_none() && is_open {
                     true => self.or_of_kept(found, &theirs, tests),
                     false => found,
                 };
@@ -172,31 +174,47 @@ impl Test {
                         .text
                         .extend(told.map(|warning| format!("\n  warning  {warning}")));
                 }
-                match of_other {
-                    Some(test) => graded.of_other_test(&test.data.name),
-                    None => graded,
+                match (of_other, in_pose_of) {
+                    (Some(test), _) => graded.of_other_test(&test.data.name),
+                    (None, Some(test)) => graded.in_pose_of_other_test(&test.data.name),
+                    (None, None) => graded,
                 }
             }
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
         }
     }
 
-    /// Of the joints that are turned or moved in the test's pose or in `other`, the share that are in both.
-    fn posed_share(&self, other: &OtherPose) -> f64 {
-        let moves = |pose: &Pose, joint: usize| {
-            pose.rotation(joint) != Euler::ZERO || pose.root_offset(joint) != Vec3::ZERO
-        };
-        let joints = 0..self.character.skeleton().joints().len();
-        let in_each = joints.map(|joint| [&self.pose, &other.pose].map(|pose| moves(pose, joint)));
-        let in_any: Vec<[bool; 2]> = in_each.filter(|moved| moved.contains(&true)).collect();
-        let in_both = in_any.iter().filter(|moved| !moved.contains(&false));
-        in_both.count() as f64 / in_any.len().max(1) as f64
-    }
-
     /// Whether a mesh has the vertices of the exact result of this test, of which the files may be pictures.
     fn is_right(&self, theirs: &Mesh) -> bool {
         measure(&self.character, &self.exact, &theirs.positions)
             .is_some_and(|measure| measure.off == 0)
+    }
+
+    /// Whether a mesh is this character in the pose of `other`, which has another character with joints of the same names:
+    /// a program may always pose by the same file.
+    fn is_in_pose_of(&self, other: &Self, theirs: &Mesh) -> bool {
+        if other.data.character.path == self.data.character.path {
+            return false;
+        }
+        let [own, others] = [self, other].map(|test| test.character.skeleton().joints());
+        let mut pose = Pose::new();
+        for (joint, described) in others.iter().enumerate() {
+            if !other.pose.is_changed(joint) {
+                continue;
+            }
+            let mut names = own.iter().map(|joint| &joint.name);
+            let Some(named) = names.position(|name| *name == described.name) else {
+                return false;
+            };
+            pose.set_joint_transform(named, other.pose.rotation(joint));
+            pose.set_root_offset(named, other.pose.root_offset(joint));
+        }
+        measure(
+            &self.character,
+            &self.character.skin_pose(&pose),
+            &theirs.positions,
+        )
+        .is_some_and(|measure| measure.off == 0)
     }
 
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
@@ -232,7 +250,7 @@ impl Test {
             posed: found
                 .other_pose
                 .as_ref()
-                .and_then(|other| rounded(self.posed_share(other)))
+                .and_then(|other| rounded(other.as_expected))
                 .unwrap_or(0.0),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),

@@ -164,6 +164,30 @@ fn angles_that_two_joints_in_one_place_share_are_said_not_to_be_the_only_ones() 
 }
 
 #[test]
+fn a_torso_that_is_not_turned_is_told_as_joints_at_rest_though_others_could_share_their_turns() {
+    let asked = turned(31);
+    let figure = Figure::builtin("adult", |joint| match joint {
+        0..3 => Vec3::ZERO,
+        joint => asked(joint),
+    });
+    let expected = Figure::builtin("adult", &asked).pose();
+    let other = held_against(&figure, &expected).other_pose.expect("a pose");
+    let mut told: Vec<usize> = other.joints.iter().map(|joint| joint.joint_index).collect();
+    told.sort_unstable();
+    assert_eq!(told, [0, 1, 2], "{other:?}");
+    for joint in &other.joints {
+        let degrees = Vec3::from(joint.degrees);
+        assert!(degrees.abs_diff_eq(Vec3::ZERO, 0.01), "{joint}");
+    }
+    let all = figure.degrees.len() as f64;
+    assert!(
+        other.as_expected > (all - 8.0) / all,
+        "{}",
+        other.as_expected
+    );
+}
+
+#[test]
 fn a_root_that_few_vertices_go_with_is_told_and_not_its_children() {
     // Its weights do not sum to one, so that the mesh is not turned as a whole.
     let Some(path) = course("characters/Model1.obj") else {

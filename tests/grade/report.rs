@@ -1,6 +1,6 @@
 //! What an instructor gets: rows, a table, and a page that needs nothing else.
 
-use crate::diagnose::figures::{Figure, obj};
+use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::with;
 use crate::grade::support::{Class, result};
 use crate::program::editor_in;
@@ -82,6 +82,82 @@ fn the_exact_result_of_another_pose_is_told_and_shows_none_of_the_sections() {
     );
     let table = String::from_utf8(class.read("report/grade.csv")).unwrap();
     assert!(table.contains("other-pose"), "{table}");
+}
+
+/// Writes what gives `degrees` instead of those of the first test, exactly.
+fn submit_in(class: &Class, name: &str, degrees: impl Fn(usize) -> Vec3) {
+    let (test, figure) = &class.tests[0];
+    let theirs = Figure::builtin(figure.name.trim_start_matches("builtin:"), degrees);
+    let text = obj(&with(&[]).skin(&theirs), figure, |number| {
+        number.to_string()
+    });
+    class.write(&format!("class/{name}/{test}.obj"), text);
+}
+
+#[test]
+fn another_pose_counts_as_a_slip_in_joints_only_if_more_than_half_of_it_is_as_asked() {
+    let class = Class::new(&["adult"]);
+    let asked = class.tests[0].1.degrees.clone();
+    let other = turned(77);
+    let all = asked.len();
+    let at_rest_from = |count: usize| {
+        let asked = &asked;
+        move |joint: usize| {
+            if joint < count {
+                asked[joint]
+            } else {
+                Vec3::ZERO
+            }
+        }
+    };
+    submit_in(&class, "quarter", at_rest_from(all / 4));
+    submit_in(&class, "most", at_rest_from(all * 3 / 4));
+    submit_in(&class, "one", at_rest_from(4));
+    submit_in(&class, "other", |joint| other(joint));
+    submit_in(&class, "whole degrees", |joint| {
+        asked[joint] + Vec3::splat(0.5)
+    });
+    let report = class.graded();
+    for (name, points) in [
+        ("one", [0.0; 3]),
+        ("quarter", [0.0; 3]),
+        ("other", [0.0; 3]),
+        ("most", [4.0, 3.0, 10.0]),
+        ("whole degrees", [4.0, 3.0, 10.0]),
+    ] {
+        let found = result(&report, name, "adult-1");
+        assert_eq!(found["outcome"], "other-pose", "{name}: {found}");
+        let [a, b, c] = points;
+        let points = json!({"3.2": a, "3.4": b, "4.2": c});
+        assert_eq!(found["points"], points, "{name}: {found}");
+        let hint = found["hint"].as_str().unwrap_or_default();
+        assert_eq!(
+            hint.starts_with("right but for "),
+            a > 0.0,
+            "{name}: {hint}"
+        );
+    }
+}
+
+#[test]
+fn the_pose_of_another_character_s_test_is_told_and_shows_none_of_the_sections() {
+    let mut class = Class::new(&["adult", "dog"]);
+    // Both have joints of these names.
+    let turned = |at: usize, by: [Vec3; 2], among: usize| {
+        let mut degrees = vec![Vec3::ZERO; among];
+        degrees[0] = by[0];
+        degrees[at] = by[1];
+        degrees
+    };
+    let by = [Vec3::new(0.0, 40.0, 10.0), Vec3::new(20.0, 0.0, 15.0)];
+    let of_dog = turned(2, by, class.tests[1].1.degrees.len());
+    class.set_pose(1, of_dog);
+    let of_adult = turned(1, by, class.tests[0].1.degrees.len());
+    submit_in(&class, "bob", |joint| of_adult[joint]);
+    let report = class.graded();
+    let bob = result(&report, "bob", "adult-1");
+    assert_eq!(bob["hint"], "the pose of dog-2", "{bob}");
+    assert_eq!(bob["points"], json!({"3.2": 0.0, "3.4": 0.0, "4.2": 0.0}));
 }
 
 #[test]

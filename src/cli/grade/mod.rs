@@ -42,8 +42,8 @@ use work::Work;
 /// A mistake costs points in its own section of the assignment, or, where the test has no points for that, in the one
 /// with the nearest number, as the result then says. A mesh in the bind pose or another pose
 /// than that of its test (pose-not-applied, other-pose) shows none of the sections and gets no points, unless the
-/// rubric leaves a share for either; where at least half of the joints that are turned in either are in
-/// both (right-but-for-joints), it costs points in 3.4 alone.
+/// rubric leaves a share for either; where more than half of the joints are as asked (right-but-for-joints), it costs
+/// points in 3.4 alone.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  \
     editor grade --example > tests.json\n  \

@@ -2,6 +2,7 @@
 
 mod fewest;
 mod fit;
+mod shared;
 mod solve;
 
 use super::diagnosis_words::vector;
@@ -13,12 +14,16 @@ use crate::math::Euler;
 use crate::steps::Pace;
 use fewest::{fewest, with_small_turns_put_back};
 use fit::{Fit, Posed};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3};
 use serde::Serialize;
+use shared::{SharedTurn, moving, plainest};
 use std::fmt;
 
 /// Angle between two rotations of a joint that are told apart, in degrees.
 const TOLD_APART: f64 = 0.1;
+/// Angle up to which a joint is as good as turned as expected, such as by angles that are cut to whole degrees, in
+/// degrees.
+const AS_EXPECTED: f64 = 5.0;
 /// Joints that are told in words; the others are counted.
 const TOLD: usize = 5;
 
@@ -30,6 +35,9 @@ pub struct OtherPose {
     pub pose: Pose,
     /// The joints that differ, from the root on; never empty.
     pub joints: Vec<TurnedJoint>,
+    /// How much of the expected pose it has, 0 to 1: of the joints that move vertices and that either pose turns or
+    /// moves, those that are as expected, and half of those that are turned otherwise in both.
+    pub as_expected: f64,
     /// How far the mesh is from the exact one in that pose, at most and by the size.
     pub error: f64,
 }
@@ -73,6 +81,16 @@ impl fmt::Display for TurnedJoint {
 }
 
 impl TurnedJoint {
+    /// Whether it is where and as it is in the bind pose, of which it differs in the pose `expected`.
+    fn is_at_rest(&self, expected: &Pose) -> bool {
+        let before = expected.root_offset(self.joint_index);
+        let moved = self.moved.map_or(Vec3::ZERO, Vec3::from);
+        let rotation = Euler::from_degrees(Vec3::from(self.degrees)).to_dmat3();
+        // What is moved back is so but for the error of the fit.
+        degrees_between(rotation, DMat3::IDENTITY) <= TOLD_APART
+            && (before + moved).length() <= 0.01 * before.length()
+    }
+
     /// Whether its angles differ, and not only where it is.
     pub(super) fn is_turned(&self) -> bool {
         angles(self.degrees) != angles(self.expected)
@@ -117,10 +135,16 @@ pub(super) async fn find(
         order,
         theirs,
         tolerance,
+        shared: SharedTurn::all(model, tolerance),
     };
     let all = fit.clone().improve(tolerance, pace).await;
     let found = search.found(&all)?;
     let agrees = |posed: &Posed| search.found(posed).is_some();
+    let joints_of = |posed: &Posed| {
+        search
+            .found(posed)
+            .map_or(usize::MAX, |found| found.1.len())
+    };
     let fewer = match fewest(&fit, tolerance, found.1.len(), agrees, pace).await {
         Some(fewer) => Some(fewer),
         None => {
@@ -130,12 +154,15 @@ pub(super) async fn find(
             with_small_turns_put_back(&fit, tolerance, (&all, turned), agrees, pace).await
         }
     };
-    let fewer = fewer.and_then(|posed| search.found(&posed));
-    let (pose, joints, error) = fewer
-        .filter(|fewer| fewer.1.len() < found.1.len())
-        .unwrap_or(found);
+    let chosen = fewer.filter(|posed| joints_of(posed) < found.1.len());
+    let chosen = chosen.unwrap_or(all);
+    let plain = plainest(&search.shared, &chosen, &fit.expected());
+    let (pose, joints, error) = [plain, chosen]
+        .iter()
+        .find_map(|posed| search.found(posed))?;
     Some(OtherPose {
         pose,
+        as_expected: share_of_expected(model, expected, &joints),
         joints,
         error: error / size,
     })
@@ -148,20 +175,26 @@ struct Search<'a> {
     order: VertexOrder,
     theirs: &'a [DVec3],
     tolerance: f64,
+    shared: Vec<SharedTurn>,
 }
 
 impl Search<'_> {
     /// The pose that `posed` is, with the joints that differ from the expected one and the largest distance of the
     /// exact mesh in it, if that agrees and any joint differs.
     fn found(&self, posed: &Posed) -> Option<(Pose, Vec<TurnedJoint>, f64)> {
-        let Posed { rotations, offsets } = posed;
         let Self {
             model, expected, ..
         } = *self;
+        let Posed { rotations, offsets } = posed;
         // Joints that differ in a hair are as expected, if the mesh agrees with that.
         let (mut whole, mut plain) = (expected.clone(), expected.clone());
         let mut joints = Vec::new();
-        let ambiguous = ambiguous(model, self.tolerance);
+        let is_shared = |joint| {
+            self.shared
+                .iter()
+                .flat_map(SharedTurn::joints)
+                .any(|it| it == joint)
+        };
         for &joint in &model.by_depth {
             let before = expected.rotation(joint);
             let after = Euler::nearest(rotations[joint].as_mat3(), before);
@@ -185,7 +218,7 @@ impl Search<'_> {
                     expected: before.degrees().to_array(),
                     turned_by: if is_turned { turned_by } else { 0.0 },
                     moved: is_moved.then(|| moved.as_vec3().to_array()),
-                    is_ambiguous: ambiguous[joint],
+                    is_ambiguous: is_shared(joint),
                 });
             }
         }
@@ -200,35 +233,28 @@ impl Search<'_> {
     }
 }
 
-/// For each joint whether other angles of it and of joints in the same place give the same mesh: where a joint moves no
-/// vertex but by those that hang on it at its own place, its turn can as well be theirs.
-fn ambiguous(model: &Model, tolerance: f64) -> Vec<bool> {
-    let joints = model.skeleton().joints();
-    let mut moves = vec![false; joints.len()];
-    for vertex in 0..model.positions.len() {
-        let influences = model.influences(vertex).iter();
-        for influence in influences.filter(|influence| influence.weight != 0.0) {
-            moves[influence.joint as usize] = true;
+/// How much of the pose `expected` is in another one, from which the joints of `turned` alone differ: each joint that
+/// moves vertices and is turned or moved in either counts whole where it is as expected, half where it is turned
+/// otherwise, and not at all where it is at rest in one of both.
+fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> f64 {
+    let (_, moves) = moving(model);
+    let (mut all, mut counted) = (0.0, 0.0);
+    for joint in (0..moves.len()).filter(|&joint| moves[joint]) {
+        let is_expected = expected.is_changed(joint);
+        let differs = turned.iter().find(|turned| turned.joint_index == joint);
+        let is_there = differs.map_or(is_expected, |turned| !turned.is_at_rest(expected));
+        if !is_expected && !is_there {
+            continue;
         }
-    }
-    let own = moves.clone();
-    for &joint in model.by_depth.iter().rev() {
-        if let Some(parent) = joints[joint].parent {
-            moves[parent] |= moves[joint];
-        }
-    }
-    let mut found = vec![false; joints.len()];
-    for (parent, &is_moving) in own.iter().enumerate() {
-        let children = model.skeleton().children(parent).iter().copied();
-        let children: Vec<usize> = children.filter(|&child| moves[child]).collect();
-        let is_here = |&child: &usize| joints[child].offset.as_dvec3().length() <= tolerance;
-        if !is_moving && !children.is_empty() && children.iter().all(is_here) {
-            for joint in children.into_iter().chain([parent]) {
-                found[joint] = true;
+        all += 1.0;
+        counted += match differs {
+            Some(turned) if turned.turned_by > AS_EXPECTED || turned.moved.is_some() => {
+                0.5 * f64::from(is_expected && is_there)
             }
-        }
+            _ => 1.0,
+        };
     }
-    found
+    if all == 0.0 { 1.0 } else { counted / all }
 }
 
 /// The angle between two rotations, in degrees.
