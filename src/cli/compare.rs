@@ -11,8 +11,8 @@ use crate::disk::{self, as_given, files};
 use crate::geometry::{Mesh, Picture};
 use crate::io::image;
 use crate::io::{
-    Diagnostic, Files, builtin, extension, import_any, is_character, read_character_obj,
-    read_posed_vertices,
+    Diagnostic, Files, builtin, extension, import_any, in_utf8, is_character, read_character_obj,
+    read_posed_obj, read_posed_vertices,
 };
 use crate::scene::ShapeKind;
 use serde::Serialize;
@@ -236,7 +236,11 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         // The vertices of A are enough if B has the faces.
         Err(error) => match read(&args.b, None) {
             Ok(b) => (read(&args.a, Some(&b))?, b),
-            Err(_) => return Err(error),
+            // If A has them, what is wrong in B is what to mend.
+            Err(of_b) => {
+                let has_vertices = has_vertices_alone(&args.a, &files.read(&args.a)?);
+                return Err(if has_vertices { of_b } else { error });
+            }
         },
     };
     let parts = parts(args, &files, a.positions.len())?;
@@ -258,6 +262,14 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         print(&how_to_diagnose(args, what, model))?;
     }
     done
+}
+
+/// Whether a mesh has vertices, and lacks nothing but faces.
+fn has_vertices_alone(path: &Path, bytes: &[u8]) -> bool {
+    let text = in_utf8(bytes);
+    let lines = text.split(|byte| *byte == b'\n');
+    let vertices = lines.filter(|line| line.starts_with(b"v ")).count();
+    read_posed_obj(path, bytes, vertices).is_ok_and(|read| read.value.triangles.is_empty())
 }
 
 /// The command that finds mistakes in skinning, which no comparison can, if B is `what`: of the character `model`, if that

@@ -1,6 +1,7 @@
 //! Vertices that a program has written as what is no number.
 
 use super::Diagnosis;
+use glam::Vec3;
 use std::collections::BTreeMap;
 
 /// A mesh in text, in which vertices are no numbers.
@@ -60,6 +61,16 @@ impl NoNumbers {
     /// Whether no vertex of the file is a number.
     pub fn are_all(&self) -> bool {
         self.vertices.len() == self.all
+    }
+
+    /// Has the vertices of a mesh that are no numbers in the file be none, of which `places` are those of the mesh that is
+    /// [`Self::without`] them.
+    pub fn put_back_among(&self, places: &mut [Vec3]) {
+        for &vertex in self.vertices.keys() {
+            if let Some(place) = places.get_mut(vertex) {
+                *place = Vec3::NAN;
+            }
+        }
     }
 
     /// A diagnosis of the mesh that is [`Self::without`] them, with what the file has in place of the numbers that stand

@@ -1,10 +1,10 @@
 //! How comparisons with meshes begin, go on with a file that has changed, and end.
 
 use super::files::file_name;
-use super::mesh_comparison::MeshComparison;
+use super::mesh_comparison::{MeshComparison, TheirMesh};
 use super::running::Program;
 use super::{Host, Purpose};
-use crate::diagnose::{may_be_of, measure};
+use crate::diagnose::{NoNumbers, may_be_of, measure};
 use crate::editor::Severity;
 use crate::geometry::Mesh;
 use crate::io::{self, Files};
@@ -25,9 +25,9 @@ impl Program {
             Ok(theirs) => theirs,
             Err(why) => return self.tell(Severity::Error, why),
         };
-        let nearer = match self.is_placed_like(shape, &theirs) {
+        let nearer = match self.is_placed_like(shape, &theirs.mesh) {
             Some(_) => None,
-            None => self.nearer_character(shape, &theirs.positions),
+            None => self.nearer_character(shape, &theirs.mesh.positions),
         };
         self.begin_mesh_comparison(nearer.unwrap_or(shape), path, theirs);
         if let Some(nearer) = nearer {
@@ -74,7 +74,7 @@ impl Program {
         shape: ShapeId,
         path: &Path,
         files: &dyn Files,
-    ) -> Result<Mesh, String> {
+    ) -> Result<TheirMesh, String> {
         let name = file_name(path);
         let Some(character) = self.session.scene().character(shape) else {
             return Err(format!(
@@ -82,10 +82,11 @@ impl Program {
             ));
         };
         let expected = character.character.bind_mesh().positions.len();
-        let read = files
-            .read(path)
-            .and_then(|bytes| io::read_posed_obj(path, &bytes, expected))
-            .map_err(|error| error.to_string())?;
+        let bytes = files.read(path).map_err(|error| error.to_string())?;
+        let no_numbers = NoNumbers::find(&io::in_utf8(&bytes)).filter(|found| !found.are_all());
+        let readable = no_numbers.as_ref().map_or(&bytes, |found| &found.without);
+        let read =
+            io::read_posed_obj(path, readable, expected).map_err(|error| error.to_string())?;
         let found = read.value.positions.len();
         let ours = self.name_of(shape);
         if character.skinning_method() != SkinningMethod::LinearBlend {
@@ -101,7 +102,13 @@ impl Program {
             ));
         }
         self.tell_all(Severity::Warning, read.warnings);
-        Ok(read.value)
+        if let Some(no_numbers) = &no_numbers {
+            self.tell(Severity::Warning, no_numbers.told(&name));
+        }
+        Ok(TheirMesh {
+            mesh: read.value,
+            no_numbers,
+        })
     }
 
     /// Another character that is seen and has as many vertices, to which a mesh is far nearer, if there is one.
@@ -125,14 +132,14 @@ impl Program {
     }
 
     /// Compares the character `shape` with `theirs` from `path` from now on.
-    fn begin_mesh_comparison(&mut self, shape: ShapeId, path: &Path, mut theirs: Mesh) {
+    fn begin_mesh_comparison(&mut self, shape: ShapeId, path: &Path, mut theirs: TheirMesh) {
         if let Some(character) = self.session.scene().character(shape) {
             let model = character.character.bind_mesh();
-            let warning = io::take_faces_of(model, path, &mut theirs);
+            let warning = io::take_faces_of(model, path, &mut theirs.mesh);
             self.tell_all(Severity::Warning, Vec::from_iter(warning));
         }
-        if let Some(model_from_world) = self.is_placed_like(shape, &theirs) {
-            for position in &mut theirs.positions {
+        if let Some(model_from_world) = self.is_placed_like(shape, &theirs.mesh) {
+            for position in &mut theirs.mesh.positions {
                 *position = model_from_world.transform_point3(*position);
             }
             let text = format!(

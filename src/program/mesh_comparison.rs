@@ -4,7 +4,7 @@ use super::Host;
 use super::files::file_name;
 use super::job::{Job, JobHandle, MeshDiagnosed, Work};
 use crate::diagnose::{
-    DiagnoseError, Diagnosis, MeshJob, MeshMeasure, may_be_of, measure, of_size,
+    DiagnoseError, Diagnosis, MeshJob, MeshMeasure, NoNumbers, may_be_of, measure, of_size,
 };
 use crate::editor::Session;
 use crate::geometry::{Mesh, SharedMesh};
@@ -32,7 +32,12 @@ pub(super) struct MeshComparison {
     /// File of theirs.
     path: PathBuf,
     pub name: String,
+    /// Their vertices, in model space; not finite where they are no numbers.
     theirs: Arc<[Vec3]>,
+    /// Which of them are no numbers in the file.
+    no_numbers: Option<NoNumbers>,
+    /// Their mesh with numbers in the place of these, to be diagnosed.
+    mesh: SharedMesh,
     /// Their mesh to be drawn.
     geometry: Arc<EvaluatedGeometry>,
     pub shown: MeshesShown,
@@ -45,6 +50,14 @@ pub(super) struct MeshComparison {
     /// The search for the mistake, while it is under way.
     running: Option<Search>,
     diagnosis: Option<(Revision, Result<Diagnosis, DiagnoseError>)>,
+}
+
+/// A mesh as it was read.
+pub(super) struct TheirMesh {
+    /// With numbers in the place of what is none.
+    pub mesh: Mesh,
+    /// Which of its vertices are no numbers.
+    pub no_numbers: Option<NoNumbers>,
 }
 
 /// A search for the mistake.
@@ -64,17 +77,27 @@ struct Measured {
 
 impl MeshComparison {
     /// A comparison of the character `shape` with the mesh from the file `path`.
-    pub fn new(opened: Revision, shape: ShapeId, path: PathBuf, theirs: Mesh) -> Self {
-        let positions: Arc<[Vec3]> = theirs.positions.as_slice().into();
-        let mesh = SharedMesh::new(theirs);
-        let (bounds, revision) = (mesh.bounds(), mesh.revision());
+    pub fn new(opened: Revision, shape: ShapeId, path: PathBuf, theirs: TheirMesh) -> Self {
+        let TheirMesh { mesh, no_numbers } = theirs;
+        let mut positions = mesh.positions.clone();
+        if let Some(no_numbers) = &no_numbers {
+            no_numbers.put_back_among(&mut positions);
+        }
+        let mesh = SharedMesh::new(mesh);
+        let drawn = match no_numbers {
+            Some(_) => SharedMesh::new(drawable(&positions, &mesh.triangles)),
+            None => mesh.clone(),
+        };
+        let (bounds, revision) = (drawn.bounds(), drawn.revision());
         Self {
             opened,
             shape,
             name: file_name(&path),
             path,
-            theirs: positions,
-            geometry: Arc::new(EvaluatedGeometry::rigid(mesh, bounds, revision)),
+            theirs: positions.into(),
+            no_numbers,
+            mesh,
+            geometry: Arc::new(EvaluatedGeometry::rigid(drawn, bounds, revision)),
             shown: MeshesShown::default(),
             problem: None,
             pose: None,
@@ -123,6 +146,7 @@ impl MeshComparison {
         let diagnosis = diagnosis.filter(|(of, _)| Some(*of) == newest);
         CompareMeshView {
             name: &self.name,
+            path: &self.path,
             shape: self.shape,
             mesh: self.geometry.revision,
             shown: self.shown,
@@ -208,7 +232,7 @@ impl MeshComparison {
         let mesh = MeshJob {
             character: Arc::clone(&character.character),
             pose: character.pose().clone(),
-            theirs: self.geometry.mesh.clone(),
+            theirs: self.mesh.clone(),
         };
         let own = Revision::new();
         let job = Job::new(Work::Diagnose { of: own, mesh });
@@ -225,9 +249,27 @@ impl MeshComparison {
     pub fn take_result(&mut self, result: MeshDiagnosed) {
         let is_of = |search: &mut Search| search.own == result.of;
         if let Some(search) = self.running.take_if(is_of) {
-            self.diagnosis = Some((search.pose, result.outcome));
+            let put_back = |found: Diagnosis| match &self.no_numbers {
+                Some(no_numbers) => no_numbers.put_back_into(&found),
+                None => found,
+            };
+            self.diagnosis = Some((search.pose, result.outcome.map(put_back)));
         }
     }
+}
+
+/// A mesh without the triangles that have no place, with the vertices `places`.
+fn drawable(places: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
+    let has_place = |vertex: &u32| places[*vertex as usize].is_finite();
+    let whole = triangles
+        .iter()
+        .filter(|corners| corners.iter().all(has_place));
+    let anywhere = places.iter().find(|place| place.is_finite());
+    let anywhere = anywhere.copied().unwrap_or_default();
+    let placed = places
+        .iter()
+        .map(|place| if place.is_finite() { *place } else { anywhere });
+    Mesh::new(placed.collect(), whole.copied().collect())
 }
 
 /// The distances as numbers of the vertices, to the largest one.

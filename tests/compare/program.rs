@@ -352,3 +352,20 @@ fn a_mesh_that_is_bent_at_an_elbow_is_told_by_that_joint() {
     let wrong = ["a.png", "b.png", "--character", "builtin:adult"];
     assert_eq!(compare(&pictures, &wrong).0, 2);
 }
+
+#[test]
+fn where_a_has_vertices_alone_what_is_wrong_in_b_is_told() {
+    let folder = meshes();
+    let write = |name, text| fs::write(folder.path().join(name), text).unwrap();
+    write("points.txt", "v 0 0 0\nv 1 0 0\nv 0 2 0\n");
+    write("zero.obj", "v 0 0 3\nv 1 0 3\nv 0 2 3\nf 0 1 2\n");
+    let (code, _, told) = compare(&folder, &["points.txt", "zero.obj"]);
+    assert_eq!(code, 1);
+    assert!(
+        told.contains("zero.obj:4:3: expected a vertex counted from 1, found “0”"),
+        "{told}"
+    );
+    // One of the two has to have faces.
+    let (code, _, told) = compare(&folder, &["points.txt", "points.txt"]);
+    assert!(code == 1 && told.contains("expected faces"), "{told}");
+}

@@ -344,6 +344,42 @@ fn a_mesh_of_other_vertices_or_a_file_that_is_none_changes_nothing() {
 }
 
 #[test]
+fn a_mesh_with_vertices_that_are_no_numbers_is_compared_by_its_others() {
+    let mut lines: Vec<String> = String::from_utf8(mine(&dog(), &RIGHT))
+        .unwrap()
+        .lines()
+        .map(String::from)
+        .collect();
+    for line in &mut lines[40..45] {
+        *line = "v nan 1 -nan".to_owned();
+    }
+    let mut story = posed();
+    compare_with(&mut story, lines.join("\n").into_bytes());
+    let messages = story.messages();
+    let mut texts = messages.iter().map(|(_, text)| text);
+    let is_told = texts.any(|text| text.contains("5 vertices are no numbers"));
+    assert!(is_told, "{messages:?}");
+    diagnose(&mut story);
+    text(&story, "all but 5 of its vertices are right");
+    let positions = &story.session().evaluated().shapes[0].world_bounds();
+    assert!(positions.size().is_finite());
+    // The colors are those of the largest distance that is one.
+    let (scaled, _) = scaled_and_gray(&story);
+    assert!(scaled > 0);
+}
+
+#[test]
+fn a_mesh_is_named_with_its_folder_since_those_of_a_class_have_one_name() {
+    let mut story = posed();
+    let path = "class/bob/mine.obj";
+    story.host.files.insert(path.into(), mine(&dog(), &RIGHT));
+    story.click("View");
+    story.click("Compare with Mesh…");
+    story.choose(path);
+    text(&story, "bob/mine.obj against the exact Dog");
+}
+
+#[test]
 fn a_renumbered_mesh_is_laid_over_ours_without_distances_and_explained() {
     let corners = Student {
         vertices: |figure| {

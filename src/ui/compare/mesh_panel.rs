@@ -10,6 +10,7 @@ use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
 use egui::{Align, Button, Label, Layout, RichText, Ui};
+use std::path::Path;
 
 /// At the height alone, what is wrong is read without scrolling in a window of 1280 points.
 const HEIGHTS: Heights = Heights {
@@ -121,10 +122,14 @@ impl Parts<'_> {
                     }
                     let shape = self.session.scene().shape(self.compare.shape);
                     let ours = shape.map_or("", |shape| &shape.name);
-                    let text = format!("{} against the exact {ours}", self.compare.name);
+                    let theirs = in_its_folder(self.compare.path);
+                    let text = format!("{theirs} against the exact {ours}");
                     let color = Palette::of(ui.visuals()).weak;
                     ui.add(Label::new(RichText::new(text).color(color)).truncate())
-                        .on_hover_text("The exact mesh is the character in its pose");
+                        .on_hover_text(format!(
+                            "{}: the exact mesh is the character in its pose",
+                            self.compare.path.display()
+                        ));
                 },
             );
         });
@@ -392,6 +397,17 @@ fn explained(shown: MeshesShown, name: &str) -> String {
         MeshesShown::Ours => "The exact mesh alone, in the colors of the distances".to_owned(),
         MeshesShown::Theirs => format!("{name} alone, in the colors of the distances"),
     }
+}
+
+/// A file's name with the folder that it is in: those of a class have one name.
+fn in_its_folder(path: &Path) -> String {
+    let name = |path: &Path| {
+        path.file_name()
+            .map(|name| name.to_string_lossy().into_owned())
+    };
+    let folder = path.parent().and_then(name);
+    let names = [folder, name(path)].into_iter().flatten();
+    names.collect::<Vec<_>>().join("/")
 }
 
 /// A file's name, with its beginning alone if it is long.

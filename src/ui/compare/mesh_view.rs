@@ -6,6 +6,7 @@ use crate::math::Aabb;
 use crate::revision::Revision;
 use crate::scene::{Camera, FitArea, ShapeId};
 use glam::Vec3;
+use std::path::Path;
 
 /// What is asked of a comparison with a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,8 +39,10 @@ impl MeshesShown {
 /// A comparison of a character with a mesh. Ours is the exact one, theirs the file's.
 #[derive(Clone, Copy, Debug)]
 pub struct CompareMeshView<'a> {
-    /// Their file.
+    /// Name of their file.
     pub name: &'a str,
+    /// Their file.
+    pub path: &'a Path,
     /// The character.
     pub shape: ShapeId,
     /// Revision of their mesh.
