@@ -6,6 +6,7 @@ use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::picture_search::PictureSearch;
 use super::search::Explanation;
+use super::silhouette::{DRAWN, drawn_border};
 use crate::character::{Character, Pose};
 use crate::geometry::Picture;
 use glam::Mat4;
@@ -16,6 +17,8 @@ use std::fmt;
 const TOLERANCE: f64 = 0.001;
 /// Part of the silhouette up to which a picture is nearly right.
 const NEARLY: f64 = 0.005;
+/// Difference from the background above which a pixel is drawn where parts of the figure may have nearly its color.
+const EXACTLY: u8 = 0;
 /// Part by which mistakes may differ and are as good.
 const AS_GOOD: f64 = 0.0005;
 /// Other explanations that are told in words; the others are counted.
@@ -56,6 +59,12 @@ pub struct PictureDiagnosis {
     /// Whether hardly anything is drawn but lines and specks, which no mistake is looked for in.
     #[serde(skip)]
     pub is_scattered: bool,
+    /// Whether what is off is missing from the picture, and nothing is there beside the exact silhouette.
+    #[serde(skip)]
+    pub only_lacks: bool,
+    /// Share of the picture's border that differs from its background.
+    #[serde(skip)]
+    pub drawn_border: f64,
 }
 
 /// Finds out which mistakes give the silhouette in `picture`, of which the character in `pose` is all
@@ -70,8 +79,23 @@ pub fn diagnose_picture(
     clip_from_model: Mat4,
 ) -> Result<PictureDiagnosis, PictureError> {
     let model = Model::new(character);
-    let search = PictureSearch::new(&model, pose, picture, clip_from_model.as_dmat4());
-    let search = search.ok_or(PictureError::Blank)?;
+    let of_noise = |noise| {
+        let clip_from_model = clip_from_model.as_dmat4();
+        let search = PictureSearch::new(&model, pose, picture, clip_from_model, noise)?;
+        Some(found(&search, drawn_border(picture)))
+    };
+    let is_open = |found: &PictureDiagnosis| found.verdict == Verdict::Unexplained;
+    let found = of_noise(DRAWN);
+    if found.as_ref().is_none_or(is_open) {
+        // Parts may have nearly the color of the background.
+        let exact = of_noise(EXACTLY).filter(|exact| found.is_none() || !is_open(exact));
+        return exact.or(found).ok_or(PictureError::Blank);
+    }
+    found.ok_or(PictureError::Blank)
+}
+
+/// What a search for one picture finds, of whose border this share is drawn.
+fn found(search: &PictureSearch<'_>, drawn_border: f64) -> PictureDiagnosis {
     let error = search.error_from_exact;
     let mut found = PictureDiagnosis {
         verdict: Verdict::Right,
@@ -84,21 +108,23 @@ pub fn diagnose_picture(
         same_as: Vec::new(),
         off_within: search.off_within,
         is_scattered: false,
+        only_lacks: search.only_lacks,
+        drawn_border,
     };
     if error > TOLERANCE && search.is_scattered {
         found.verdict = Verdict::Unexplained;
         found.is_scattered = true;
-        return Ok(found);
+        return found;
     }
     let singles = search.singles();
     if error <= TOLERANCE {
         let unseen = alike(&singles, error).len();
         found.sure = 1.0 - unseen as f64 / MISTAKES.len() as f64;
-        return Ok(found);
+        return found;
     }
     if least(&singles) <= TOLERANCE {
         found.explain(&singles);
-        return Ok(found);
+        return found;
     }
     let of_whole = search.of_whole_program(TOLERANCE);
     if of_whole.is_empty() {
@@ -106,7 +132,7 @@ pub fn diagnose_picture(
     } else {
         found.explain(&of_whole);
     }
-    Ok(found)
+    found
 }
 
 /// Whether the silhouette in `picture` is the exact one, as by [`diagnose_picture`].
@@ -117,8 +143,11 @@ pub fn has_silhouette(
     clip_from_model: Mat4,
 ) -> bool {
     let model = Model::new(character);
-    let search = PictureSearch::new(&model, pose, picture, clip_from_model.as_dmat4());
-    search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
+    [DRAWN, EXACTLY].into_iter().any(|noise| {
+        let clip_from_model = clip_from_model.as_dmat4();
+        let search = PictureSearch::new(&model, pose, picture, clip_from_model, noise);
+        search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
+    })
 }
 
 /// The least that is left.
@@ -144,6 +173,26 @@ impl PictureDiagnosis {
     /// Whether nothing explains what is off, which is little, such as a speck beside the figure.
     pub fn is_nearly_right(&self) -> bool {
         self.verdict == Verdict::Unexplained && self.error_from_exact <= NEARLY
+    }
+
+    /// What may be behind a silhouette that nothing explains, after a semicolon.
+    fn what_it_may_be(&self) -> String {
+        if self.drawn_border > FLOOR {
+            let share = 100.0 * self.drawn_border;
+            format!(
+                "; {share:.0} % of the picture's edge differ from the background: a floor, for one, is taken for a part of \
+                 the figure, so that the character has to be drawn alone, before one color"
+            )
+        } else if self.only_lacks {
+            "; all of it is missing from the picture, where the figure may have the color of the background: draw it before \
+             another one"
+                .to_owned()
+        } else if self.error_from_exact > MUCH {
+            "; where so much is off, the picture may be seen through another camera, or have more around the view"
+                .to_owned()
+        } else {
+            String::new()
+        }
     }
 
     /// Takes what gives the silhouette, if anything does, into account.
@@ -205,12 +254,7 @@ impl fmt::Display for PictureDiagnosis {
                 } else {
                     "unexplained"
                 },
-                if self.error_from_exact > MUCH {
-                    "; where so much is off, the picture may be seen through another camera, or have more around \
-                     the view"
-                } else {
-                    ""
-                }
+                self.what_it_may_be()
             )?,
         }
         match self.off_within.filter(|_| self.verdict != Verdict::Right) {
@@ -222,6 +266,8 @@ impl fmt::Display for PictureDiagnosis {
     }
 }
 
+/// Share of a picture's border beyond which there is more before the background than a figure.
+const FLOOR: f64 = 0.15;
 /// Share of the silhouette beyond which it is hardly the figure alone that is off.
 const MUCH: f64 = 0.3;
 

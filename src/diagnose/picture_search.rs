@@ -39,6 +39,8 @@ pub(super) struct PictureSearch<'a> {
     pub(super) error_from_exact: f64,
     /// Whether hardly anything is drawn but lines and specks, with which an empty picture would agree.
     pub(super) is_scattered: bool,
+    /// Whether what is off from the exact silhouette is missing from the picture, and nothing is there beside it.
+    pub(super) only_lacks: bool,
     /// The box around what is off from the exact silhouette, as the pixels x, y, width and height.
     pub(super) off_within: Option<[u32; 4]>,
 }
@@ -53,18 +55,19 @@ struct Seen {
 }
 
 impl<'a> PictureSearch<'a> {
-    /// A search for what gives `picture`, which shows the model with `clip_from_model`; `None` if nothing
-    /// is drawn there.
+    /// A search for what gives `picture`, which shows the model with `clip_from_model`, where what differs from the
+    /// background by more than `noise` is drawn; `None` if nothing is.
     pub(super) fn new(
         model: &'a Model<'a>,
         pose: &'a Pose,
         picture: &Picture,
         clip_from_model: DMat4,
+        noise: u8,
     ) -> Option<Self> {
         let points = points(&mut Skinner::new(model, pose, &Formula::default()));
         let seen = |most| {
             let samples = Samples::new(picture.width, picture.height, most);
-            let theirs = Silhouette::of_picture(picture, samples);
+            let theirs = Silhouette::of_picture(picture, samples, noise);
             let exact = Silhouette::of_mesh(&points, model.triangles(), clip_from_model, samples);
             let area = theirs.area_with(&exact) as f64;
             let seen = Seen {
@@ -90,6 +93,7 @@ impl<'a> PictureSearch<'a> {
             clip_from_model,
             error_from_exact: fine.error(&exact),
             is_scattered: (fine.theirs.inner_area() as f64) < SCATTERED * exact.inner_area() as f64,
+            only_lacks: fine.theirs.only_lacks(&exact),
             off_within: exact.bounds(fine.theirs.off(&exact)),
             fine,
             coarse,

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 /// Difference of a channel from the background's above which a pixel is drawn: more than what lossy
 /// formats add, and less than what is left of a figure's color in the shade.
-const DRAWN: u8 = 12;
+pub(super) const DRAWN: u8 = 12;
 /// Least w of a point before the eye.
 const NEAREST: f64 = 1e-6;
 
@@ -82,17 +82,16 @@ impl Samples {
         }
     }
 
-    /// The samples at which `picture` differs from its background.
-    fn drawn(&self, picture: &Picture) -> Vec<bool> {
+    /// The samples at which `picture` differs from its background by more than `noise`.
+    fn drawn(&self, picture: &Picture, noise: u8) -> Vec<bool> {
         let (pixels, _) = picture.rgba.as_chunks::<4>();
-        let background = background(picture, pixels);
+        let background = background(picture);
         let half = (self.step / 2) as usize;
         let is_drawn = (0..self.count()).map(|index| {
             let (column, row) = (index % self.columns, index / self.columns);
             let [x, y] = [column, row].map(|at| at * self.step as usize + half);
             let pixel = pixels[y * picture.width as usize + x];
-            let differences = pixel.iter().zip(background);
-            differences.map(|(a, b)| a.abs_diff(b)).max() > Some(DRAWN)
+            difference(pixel, background) > noise
         });
         is_drawn.collect()
     }
@@ -147,9 +146,10 @@ pub(super) struct Silhouette {
 }
 
 impl Silhouette {
-    /// All of `picture` that differs from its background, the color that most of its border has.
-    pub(super) fn of_picture(picture: &Picture, samples: Samples) -> Self {
-        Self::new(samples, &samples.drawn(picture))
+    /// All of `picture` that differs from its background, the color that most of its border has, by more than `noise` in
+    /// any channel.
+    pub(super) fn of_picture(picture: &Picture, samples: Samples, noise: u8) -> Self {
+        Self::new(samples, &samples.drawn(picture, noise))
     }
 
     /// A mesh with the vertices `points` as it is seen with `clip_from_model`.
@@ -225,6 +225,11 @@ impl Silhouette {
         })
     }
 
+    /// Whether the samples that are off ([`Self::off`]) are covered by `mesh` alone, and not by this one.
+    pub(super) fn only_lacks(&self, mesh: &Self) -> bool {
+        self.off(mesh).all(|at| !self.is_covered[at])
+    }
+
     /// Whether a point lies on or beside what is drawn; `None` for one that is not in the picture.
     pub(super) fn is_near(&self, clip: DVec4) -> Option<bool> {
         if !(clip.w > NEAREST && clip.is_finite()) {
@@ -250,19 +255,42 @@ impl Silhouette {
     }
 }
 
-/// The color that most pixels of the border have.
-fn background(picture: &Picture, pixels: &[[u8; 4]]) -> [u8; 4] {
+/// The largest difference of a channel.
+fn difference(pixel: [u8; 4], other: [u8; 4]) -> u8 {
+    let channels = pixel.iter().zip(other);
+    channels.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
+}
+
+/// The pixels at the border of a picture.
+fn border(picture: &Picture) -> impl Iterator<Item = [u8; 4]> {
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
     let (width, height) = (picture.width as usize, picture.height as usize);
-    let mut counts: HashMap<[u8; 4], usize> = HashMap::new();
-    for (at, pixel) in pixels.iter().enumerate() {
+    let all = pixels.iter().enumerate();
+    all.filter_map(move |(at, pixel)| {
         let (x, y) = (at % width, at / width);
-        if x == 0 || y == 0 || x + 1 == width || y + 1 == height {
-            *counts.entry(*pixel).or_default() += 1;
-        }
+        (x == 0 || y == 0 || x + 1 == width || y + 1 == height).then_some(*pixel)
+    })
+}
+
+/// The color that most pixels of the border have.
+fn background(picture: &Picture) -> [u8; 4] {
+    let mut counts: HashMap<[u8; 4], usize> = HashMap::new();
+    for pixel in border(picture) {
+        *counts.entry(pixel).or_default() += 1;
     }
     // Of equals one that does not depend on the order of the map.
     let most = counts
         .into_iter()
         .max_by_key(|&(color, count)| (count, color));
     most.map_or([0; 4], |(color, _)| color)
+}
+
+/// Share of the border of a picture that differs from its background.
+pub(super) fn drawn_border(picture: &Picture) -> f64 {
+    let background = background(picture);
+    let (all, drawn) = border(picture).fold((0, 0), |(all, drawn), pixel| {
+        let is_drawn = difference(pixel, background) > DRAWN;
+        (all + 1, drawn + u32::from(is_drawn))
+    });
+    f64::from(drawn) / f64::from(all.max(1))
 }

@@ -87,6 +87,53 @@ fn a_picture_of_what_is_right_is_right_in_every_format_and_beside_axes() {
 }
 
 #[test]
+fn a_figure_with_nearly_the_color_of_the_background_is_found_where_the_picture_is_exact() {
+    let folder = folder(&Figure::builtin("adult", turned(41)), &[]);
+    let ran = run(&folder, &format!("render theirs.obj {FRONT} -o a.png"));
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let path = folder.path().join("a.png");
+    let mut picture = image::open(&path).unwrap().to_rgba8();
+    let background = picture.get_pixel(0, 0).0;
+    for pixel in picture.pixels_mut().filter(|pixel| pixel.0 != background) {
+        pixel.0 = background;
+        pixel.0[1] += 2;
+    }
+    picture.save(&path).unwrap();
+    let line = format!("diagnose a.png --character builtin:adult --pose pose.json {FRONT}");
+    let ran = run(&folder, &line);
+    assert!(ran.out.starts_with("right, as far as"), "{}", ran.out);
+    // A part with the color itself is said to be missing.
+    let size = picture.dimensions();
+    for (x, _, pixel) in picture.enumerate_pixels_mut() {
+        if x > size.0 / 2 {
+            pixel.0 = background;
+        }
+    }
+    picture.save(&path).unwrap();
+    let told = run(&folder, &line).out;
+    assert!(
+        told.contains("may have the color of the background"),
+        "{told}"
+    );
+}
+
+#[test]
+fn a_floor_is_told_from_a_mistake() {
+    let folder = folder(&Figure::builtin("adult", turned(41)), &[]);
+    let line = format!("render theirs.obj {FRONT} --look mannequin -o a.png");
+    let ran = run(&folder, &line);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let line = format!("diagnose a.png --character builtin:adult --pose pose.json {FRONT}");
+    let told = run(&folder, &line).out;
+    let floor =
+        "of the picture's edge differ from the background: a floor, for one, is taken for a part";
+    assert!(
+        told.starts_with("unexplained: ") && told.contains(floor),
+        "{told}"
+    );
+}
+
+#[test]
 fn a_picture_of_the_bind_pose_is_one_whose_pose_was_not_applied() {
     for (name, seed) in [("adult", 48), ("robot", 49)] {
         let degrees = turned(seed);
