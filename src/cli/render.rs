@@ -356,6 +356,13 @@ fn session(args: &Args) -> Result<Session, CliError> {
         }
         session.look(View::SetCamera(camera));
     }
+    let view = session.view();
+    if args.look.is_none() && view.looks_against_the_light() {
+        eprint_line(
+            "note: the Course look, which is the default, has one light, from +z, so that shapes are dark from this side: \
+             --look studio lights all, and --look course says that this is meant",
+        );
+    }
     Ok(session)
 }
 

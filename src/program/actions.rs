@@ -8,12 +8,10 @@ use super::{Host, Purpose};
 use crate::editor::{Edit, Severity, View};
 use crate::io::builtin;
 use crate::revision::Revision;
-use crate::scene::Look;
+use crate::scene::ViewSettings;
 use crate::ui::{Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove};
 use std::path::Path;
 
-/// How far ahead along Z the camera looks from where it sees the sides of shapes that the Course look leaves dark.
-const AGAINST_THE_LIGHT: f32 = 0.3;
 const DARK_FROM_HERE: &str = "The Course look has one light, from +Z, so that shapes are dark from this side: \
                               View ⏵ View from ⏵ +Z shows the other, the Studio look lights all";
 
@@ -51,9 +49,9 @@ impl Program {
                     {
                         self.ui.look_of_new = Some(look);
                         self.ui.follow_look(look);
-                        let view = self.session.view();
-                        let is_new = look == Look::Course && view.look != look;
-                        if is_new && view.camera.forward().z > AGAINST_THE_LIGHT {
+                        let before = *self.session.view();
+                        let view = ViewSettings { look, ..before };
+                        if look != before.look && view.looks_against_the_light() {
                             self.tell(Severity::Info, DARK_FROM_HERE.to_owned());
                         }
                     }

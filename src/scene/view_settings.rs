@@ -33,10 +33,18 @@ impl Default for ViewSettings {
     }
 }
 
+/// How far ahead along Z the camera looks from where it sees the sides of shapes that the Course look leaves dark.
+const AGAINST_THE_LIGHT: f32 = 0.5;
+
 impl ViewSettings {
     /// Whether a ground is seen, which hides what is below it.
     pub fn has_ground(&self) -> bool {
         self.grid && self.look == Look::Studio
+    }
+
+    /// Whether the sides of shapes are seen that the Course look, which has one light from +Z, leaves dark.
+    pub fn looks_against_the_light(&self) -> bool {
+        self.look == Look::Course && self.camera.forward().z > AGAINST_THE_LIGHT
     }
 }
 

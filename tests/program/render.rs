@@ -517,7 +517,8 @@ fn a_turntable_is_a_gif_without_end_of_the_views_all_around() {
     assert_eq!(frames.len(), 4);
     assert!(frames.iter().all(|(_, time)| *time == 500));
     for ((frame, _), theta) in frames.iter().zip([90, 180, 270, 360]) {
-        let line = format!("render builtin:robot --size 80x60 --camera={theta},0,5 -o one.gif");
+        let seen = format!("--size 80x60 --look course --camera={theta},0,5");
+        let line = format!("render builtin:robot {seen} -o one.gif");
         let one = drawn_as(folder.path(), &line, "one.gif");
         assert!(*frame == one, "{theta}");
     }
@@ -667,4 +668,28 @@ fn a_character_in_an_archive_without_a_scene_is_drawn_as_the_character_itself() 
     }
     let [own, packed] = ["own.png", "packed.png"].map(|name| picture(folder.path(), name));
     assert!(drawn(&own) > 1000 && own == packed);
+}
+
+#[test]
+fn a_picture_that_is_dark_since_the_course_s_light_is_behind_says_so_unless_that_look_is_asked_for()
+{
+    let folder = folder();
+    for (options, is_told) in [
+        (&["--view", "-z"][..], true),
+        (&["--view", "+x"], false),
+        (&["--view", "-z", "--look", "course"], false),
+        (&["--view", "-z", "--look", "studio"], false),
+    ] {
+        let arguments = [&["render", "builtin:robot", "-o", "a.png"], options].concat();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(ran.code, Some(0), "{options:?}: {}", ran.err);
+        let told = "note: the Course look, which is the default, has one light, from +z";
+        assert_eq!(
+            ran.err.starts_with(told),
+            is_told,
+            "{options:?}: {}",
+            ran.err
+        );
+        assert_eq!(ran.err.is_empty(), !is_told, "{options:?}");
+    }
 }
