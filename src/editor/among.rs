@@ -1,6 +1,6 @@
 //! Where a figure that is added stands among the shapes that are there already.
 
-use super::{Edit, Session};
+use super::{Edit, Session, hiding};
 use crate::math::{Aabb, Euler, Transform};
 use crate::scene::{
     Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeId, ShapeKind,
@@ -27,20 +27,28 @@ const BACK: f32 = -0.5;
 /// Places `shapes`, which are to be added, if one of them is a character: turned round where it would
 /// show its back beside other characters, or else to `camera`, and beside whatever it would stand in, on
 /// the ground of the other characters. Curves are placed beside characters, too, in which nobody would find
-/// either of them, but not beside other curves, which they may belong to. What stands in nothing stays where
-/// its file has it: on a horse, or in the air.
-pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
+/// either of them, but not beside other curves, which they may belong to, and so are other shapes that would hide a
+/// character in them. What stands in nothing stays where its file has it: on a horse, or in the air.
+///
+/// Returns whether shapes were moved so that they do not hide a character.
+pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) -> bool {
     let mut bounds = bounds_of(shapes);
     let is_curve = |shape: &NewShape| matches!(shape.kind, ShapeKind::Curve(_));
     let Some(front) = shapes.iter().find_map(NewShape::front) else {
+        let mut figures = standing(session);
+        figures.retain(|other| other.is_figure);
         if shapes.iter().all(is_curve) {
-            let mut figures = standing(session);
-            figures.retain(|other| other.is_figure);
             stand_beside(session, shapes, &bounds, |bounds| {
                 way_out(&body_of(bounds), &figures, Vec3::X)
             });
+            return false;
         }
-        return;
+        let by = way_out(&bounds, &figures, Vec3::X);
+        let is_moved = by != Vec3::ZERO && hide_a_figure(session, shapes, camera.eye());
+        if is_moved {
+            move_all(shapes, by);
+        }
+        return is_moved;
     };
     let to_eye = camera.eye() - bounds.center();
     let wanted = session.scene().shapes().iter().find_map(|shape| {
@@ -64,6 +72,19 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
             beside
         }
     });
+    false
+}
+
+/// Whether `shapes`, which are to be added, would hide one of the figures that are seen from the direction of `eye`.
+fn hide_a_figure(session: &Session, shapes: &[NewShape], eye: Vec3) -> bool {
+    let alone = evaluated_alone(shapes);
+    let scene = session.scene();
+    let is_figure = |shape: &&EvaluatedShape| {
+        let shape = scene.shape(shape.id);
+        shape.is_some_and(|shape| shape.visible && shape.front().is_some())
+    };
+    let mut figures = session.evaluated().shapes.iter().filter(is_figure);
+    figures.any(|figure| hiding::hide(&alone, figure, eye))
 }
 
 /// The way back for what is deep, seen from the side that `others` face, until it stands out no further than these:
@@ -129,7 +150,10 @@ fn stand_beside(
     let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_at_rest(shapes));
     let is_off = up.is_finite() && up.abs() > OFF_THE_GROUND * bounds.size().y;
     let up = Vec3::Y * if is_off { up } else { 0.0 };
-    let by = up + way_out(&moved(bounds, up));
+    move_all(shapes, up + way_out(&moved(bounds, up)));
+}
+
+fn move_all(shapes: &mut [NewShape], by: Vec3) {
     for shape in shapes {
         shape.placement.transform.position += by;
         shape.start.transform.position += by;
@@ -143,21 +167,35 @@ fn moved(bounds: &Aabb, by: Vec3) -> Aabb {
     }
 }
 
-/// Lifts figures that are to be added onto the ground of what is seen, where they would sink below it: it would follow them
-/// down, and leave everything else in the air. Only if the view shows a ground.
-pub fn lift_onto_ground(session: &Session, shapes: &mut [NewShape]) {
+/// Has figures that are to be added stand on the ground, if the view shows one: those that would sink below all that is
+/// seen are lifted, since the ground would follow them down and leave everything else in the air, and those that would hang
+/// in the air beside other characters are let down, but not what is above something, such as a rider.
+pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
     if !session.view().has_ground() || shapes.iter().find_map(NewShape::front).is_none() {
         return;
     }
-    let heights = standing(session).into_iter().map(|one| one.bounds.min.y);
-    let ground = heights.fold(f32::INFINITY, f32::min);
+    let others = standing(session);
+    let heights = others.iter().map(|one| one.bounds.min.y);
+    let lowest = heights.fold(f32::INFINITY, f32::min);
     let bounds = bounds_of(shapes);
-    let up = ground - lowest_at_rest(shapes);
-    if up.is_finite() && up > OFF_THE_GROUND * bounds.size().y {
-        for shape in shapes {
-            shape.placement.transform.position.y += up;
-            shape.start.transform.position.y += up;
-        }
+    let own = lowest_at_rest(shapes);
+    let off_the_ground = OFF_THE_GROUND * bounds.size().y;
+    let up = lowest - own;
+    if up.is_finite() && up > off_the_ground {
+        move_all(shapes, Vec3::Y * up);
+        return;
+    }
+    let is_below = |other: &Stander| {
+        let middle = bounds.center().with_y(other.bounds.center().y);
+        other.bounds.min.cmple(middle).all() && other.bounds.max.cmpge(middle).all()
+    };
+    let down = ground_of_characters(session).map_or(0.0, |ground| ground - own);
+    if down.is_finite() && -down > off_the_ground && !others.iter().any(is_below) {
+        let down = Vec3::Y * down;
+        move_all(
+            shapes,
+            down + way_out(&moved(&bounds, down), &others, Vec3::X),
+        );
     }
 }
 

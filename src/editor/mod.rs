@@ -8,6 +8,7 @@ mod constraint;
 mod control_point_drag;
 mod edit;
 mod gizmo;
+mod hiding;
 mod history;
 mod ik_grip;
 mod ik_tool;
@@ -25,7 +26,7 @@ mod step_name;
 mod swing;
 
 pub use among::{
-    bounds_of, is_deep, kept_on_ground, lift_onto_ground, set_among, set_beside_each_other,
+    bounds_of, is_deep, kept_on_ground, put_on_ground, set_among, set_beside_each_other,
     set_beside_others,
 };
 pub use apply::{Change, EditError, apply};

@@ -2,7 +2,7 @@
 
 use super::running::Program;
 use crate::character::Facing;
-use crate::editor::{View, bounds_of, is_deep, lift_onto_ground, set_among};
+use crate::editor::{Severity, View, bounds_of, is_deep, put_on_ground, set_among};
 use crate::io;
 use crate::math::Aabb;
 use crate::render::MANNEQUIN_LIGHT;
@@ -119,16 +119,23 @@ impl Program {
     /// Prepares `shapes` for being imported into the document: they get their colors and, unless the
     /// view is compared with a picture, their places among those that are there. Returns the view
     /// that the document has with them, if they are the first in it.
-    pub(super) fn view_of_import(&self, shapes: &mut [NewShape]) -> Option<ViewSettings> {
+    pub(super) fn view_of_import(&mut self, shapes: &mut [NewShape]) -> Option<ViewSettings> {
         let is_first = self.session.scene().shapes().is_empty();
         if is_first {
             return Some(self.first_view(shapes, self.comparison.is_some()));
         }
-        let view = self.session.view();
+        let view = *self.session.view();
         self.make_neutral(shapes, view.look);
         if self.comparison.is_none() {
-            set_among(&self.session, shapes, &view.camera);
-            lift_onto_ground(&self.session, shapes);
+            let is_beside = set_among(&self.session, shapes, &view.camera);
+            put_on_ground(&self.session, shapes);
+            if let (true, Some(first)) = (is_beside, shapes.first()) {
+                let text = format!(
+                    "{} is set beside the character that it would hide. Position 0, 0, 0 has it where its file does",
+                    first.name
+                );
+                self.tell(Severity::Info, text);
+            }
         }
         None
     }

@@ -12,6 +12,9 @@ const WITHOUT_SIZE: f32 = 0.5;
 /// Room for what is fitted, over its size.
 const MARGIN: f32 = 1.1;
 
+/// Rays in each direction of a picture by which it is told how much something that reaches behind the eye takes up.
+const ACROSS: usize = 12;
+
 /// Picture that something is fitted into.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitArea {
@@ -118,7 +121,8 @@ impl Camera {
     }
 
     /// Whether `bounds`, in the world, are seen well enough in a picture of `aspect` (width over height): three quarters
-    /// of what they cover are in it, or what is takes up most of it. So is what reaches behind the eye, such as a room.
+    /// of what they cover are in it, or what is takes up most of it. So is what reaches behind the eye, such as a room,
+    /// where it takes up a quarter.
     pub fn sees(&self, bounds: &Aabb, aspect: f32) -> bool {
         let corners = self.clip_corners(bounds, aspect);
         let beyond = |outside: fn(&Vec4) -> bool| corners.iter().all(outside);
@@ -133,12 +137,22 @@ impl Camera {
             return false;
         }
         if corners.iter().any(|c| c.z < -c.w) {
-            return true;
+            return 4 * self.rays_into(bounds, aspect) >= ACROSS * ACROSS;
         }
         let [seen, covered] = areas(&corners);
         // The picture's sides are 2 long.
         const MOST: f32 = 0.6 * 2.0 * 2.0;
         seen >= 0.75 * covered || seen >= MOST
+    }
+
+    /// Number of rays into `bounds`, of [`ACROSS`] in each direction from all over a picture of `aspect`.
+    fn rays_into(&self, bounds: &Aabb, aspect: f32) -> usize {
+        let size = Vec2::new(aspect, 1.0) * ACROSS as f32;
+        let all =
+            (0..ACROSS * ACROSS).map(|at| Vec2::new((at % ACROSS) as f32, (at / ACROSS) as f32));
+        let pixels = all.map(|at| (at + 0.5) * Vec2::new(aspect, 1.0));
+        let into = pixels.filter(|&pixel| self.ray(pixel, size).entry(bounds).is_some());
+        into.count()
     }
 
     /// Part of what `bounds`, in the world, cover that is in a picture of `aspect` (width over height), 0 to 1; 0 if
@@ -324,6 +338,9 @@ mod tests {
             let around = Aabb::from_points([-size, size]);
             assert!(camera.sees(&around, 1.0), "{size}");
         }
+        // Of what passes the eye on the right a little is seen.
+        let beside = Aabb::from_points([Vec3::new(1.7, -1.0, -1.0), Vec3::new(9.0, 1.0, 9.0)]);
+        assert!(!camera.sees(&beside, 1.0));
         // Its face, at a distance of 4.5, is one high where the picture is 3.7 high.
         let share = camera.share(&cube_at(Vec3::ZERO), 1.0).unwrap();
         assert!((share - 1.0 / 3.73).abs() < 0.01, "{share}");

@@ -2,7 +2,7 @@
 
 use super::Story;
 use crate::host::MemoryHost;
-use editor_core::editor::View;
+use editor_core::editor::{Edit, View};
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::program::StorageKey;
 use editor_core::scene::{Camera, Look, Shape, ShapeColor};
@@ -154,6 +154,105 @@ fn a_figure_that_is_inserted_while_the_other_is_seen_from_its_side_stands_across
             (is_along_z, !is_along_z),
             "{from}"
         );
+    }
+}
+
+/// A box without a front, from −3 to 3 and up to 6, closed or open toward +Z.
+fn room(is_open: bool) -> String {
+    let mut text = String::new();
+    for corner in 0..8 {
+        let at = |bit: usize, low: f32, high: f32| if corner >> bit & 1 == 1 { high } else { low };
+        text += &format!(
+            "v {} {} {}\n",
+            at(0, -3.0, 3.0),
+            at(1, -1.0, 6.0),
+            at(2, -3.0, 3.0)
+        );
+    }
+    text += "f 1 3 4 2\nf 1 2 6 5\nf 1 5 7 3\nf 2 4 8 6\n";
+    if !is_open {
+        text += "f 3 7 8 4\nf 5 6 8 7\n";
+    }
+    text
+}
+
+#[test]
+fn a_shape_that_is_imported_is_set_beside_a_character_that_it_would_hide_and_seen_whole() {
+    for (is_open, look) in [(false, Key::F3), (false, Key::F2), (true, Key::F3)] {
+        let mut story = start(&["builtin:adult"]);
+        story.key(look);
+        let room = room(is_open).into_bytes();
+        story.host.files.insert("models/room.obj".into(), room);
+        // Near to the figure, in the room.
+        story.key(Key::F);
+        story.import("models/room.obj");
+        let shapes = &story.session().evaluated().shapes;
+        let [adult, room] = [&shapes[0], &shapes[1]].map(|shape| shape.world_bounds());
+        let messages = story.messages();
+        let mut texts = messages.iter().map(|(_, text)| text);
+        let is_told = texts.any(|text| text.starts_with("Room is set beside the character"));
+        assert_eq!(is_told, !is_open, "{messages:?}");
+        if is_open {
+            assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+            continue;
+        }
+        assert!(room.min.x > adult.max.x, "{look:?}: {room:?}");
+        let view = egui::Rect::from_min_size(pos2(0.0, 0.0), story.view().size());
+        for shape in story.session().scene().shapes() {
+            assert!(
+                view.contains_rect(story.on_screen(shape)),
+                "{look:?}: {}",
+                shape.name
+            );
+        }
+    }
+}
+
+#[test]
+fn a_character_that_its_file_has_in_the_air_beside_others_stands_on_their_ground() {
+    let lifted = |path: &str, by: f32| {
+        let text = if path.ends_with("obj") {
+            LARGE[0].1
+        } else {
+            LARGE[1].1
+        };
+        let mut lines = text.lines().map(str::to_owned).collect::<Vec<_>>();
+        if path.ends_with("obj") {
+            for line in lines.iter_mut().filter(|line| line.starts_with('v')) {
+                let numbers: Vec<f32> = line[2..]
+                    .split(' ')
+                    .map(|word| word.parse().unwrap())
+                    .collect();
+                *line = format!("v {} {} {}", numbers[0], numbers[1] + by, numbers[2]);
+            }
+        } else {
+            lines[0] = format!("0 {by} 0 -1 # Root");
+        }
+        lines.join("\n").into_bytes()
+    };
+    let lowest =
+        |story: &Story, at: usize| story.session().evaluated().shapes[at].world_bounds().min.y;
+    for (at_x, is_let_down) in [(40.0, true), (0.0, false)] {
+        let mut host = host();
+        for (name, extension) in [("models/up.obj", "obj"), ("models/up.skel", "skel")] {
+            host.files.insert(name.into(), lifted(extension, 25.0));
+        }
+        host.files
+            .insert("models/up.attach".into(), LARGE[2].1.into());
+        let mut story = Story::start_at(host, &["models/large.obj"]);
+        story.key(Key::F3);
+        let id = story.session().scene().shapes()[0].id;
+        let mut transform = story.shape().placement.transform;
+        transform.position.x = at_x;
+        let edit = Edit::SetTransform(id, transform);
+        story.program.session_mut().edit(edit).expect("a place");
+        story.settle();
+        let ground = lowest(&story, 0);
+        story.import("models/up.obj");
+        let above = lowest(&story, 1) - ground;
+        assert_eq!(above.abs() < 1e-3, is_let_down, "{above}");
+        // What is above another stays there, as a rider does.
+        assert!(is_let_down || (above - 25.0).abs() < 1e-3, "{above}");
     }
 }
 
