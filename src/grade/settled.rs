@@ -5,20 +5,22 @@ use crate::io::{TestData, TestKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Of the explanations of each mesh, brings forward the one that most meshes of the submission have, and of those of each
-/// picture the one with mistakes that its meshes show. `graded` has the results of `tests`, in their order.
+/// picture the one with mistakes that its meshes show, or else the one that most pictures have. `graded` has the results of `tests`, in their order.
 pub(super) fn settle(tests: &[TestData], graded: &mut [Graded]) {
     let all = tests.iter().zip(graded);
     let (meshes, pictures): (Vec<_>, Vec<_>) =
         all.partition(|(test, _)| test.kind == TestKind::Mesh);
-    let [mut meshes, mut pictures] = [meshes, pictures].map(|of_kind| {
+    let [mut meshes, pictures] = [meshes, pictures].map(|of_kind| {
         let results = of_kind.into_iter().map(|(_, graded)| graded);
         results.collect::<Vec<&mut Graded>>()
     });
-    settle_meshes(&mut meshes);
-    settle_pictures(&mut pictures, &meshes);
+    settle_by_most(&mut meshes, "meshes");
+    let mut undecided = settle_by_meshes(pictures, &meshes);
+    settle_by_most(&mut undecided, "pictures");
 }
 
-fn settle_meshes(meshes: &mut [&mut Graded]) {
+/// Brings forward the explanation that most of `results` have, all of which are of the same `kind`.
+fn settle_by_most(results: &mut [&mut Graded], kind: &str) {
     // The same two are alike, whichever of them accounts for more.
     let sorted = |ids: &Vec<String>| {
         let mut ids = ids.clone();
@@ -26,35 +28,40 @@ fn settle_meshes(meshes: &mut [&mut Graded]) {
         ids
     };
     let mut counts: BTreeMap<Vec<String>, usize> = BTreeMap::new();
-    for mesh in &*meshes {
-        let given: BTreeSet<_> = mesh.causes.iter().map(sorted).collect();
+    for result in &*results {
+        let given: BTreeSet<_> = result.causes.iter().map(sorted).collect();
         for ids in given {
             *counts.entry(ids).or_default() += 1;
         }
     }
-    for mesh in meshes {
-        let count = |place: &usize| counts[&sorted(&mesh.causes[*place])];
+    for result in results {
+        let count = |place: &usize| counts[&sorted(&result.causes[*place])];
         // Of as many the one that is named first.
-        let places = (0..mesh.causes.len()).rev();
+        let places = (0..result.causes.len()).rev();
         if let Some(place @ 1..) = places.max_by_key(count) {
-            bring_forward(
-                mesh,
-                place,
-                "which gives other meshes of the submission as well",
-            );
+            let why = format!("which gives other {kind} of the submission as well");
+            bring_forward(result, place, &why);
         }
     }
 }
 
-fn settle_pictures(pictures: &mut [&mut Graded], meshes: &[&mut Graded]) {
+/// Brings forward the explanations with mistakes that `meshes` show. Returns the pictures without one.
+fn settle_by_meshes<'a>(
+    pictures: Vec<&'a mut Graded>,
+    meshes: &[&mut Graded],
+) -> Vec<&'a mut Graded> {
     let shown = meshes.iter().filter_map(|mesh| mesh.causes.first());
     let shown: BTreeSet<&String> = shown.flatten().collect();
+    let mut undecided = Vec::new();
     for picture in pictures {
         let is_shown = |ids: &Vec<String>| ids.iter().all(|id| shown.contains(id));
-        if let Some(place @ 1..) = picture.causes.iter().position(is_shown) {
-            bring_forward(picture, place, "which meshes of the submission show");
+        match picture.causes.iter().position(is_shown) {
+            None => undecided.push(picture),
+            Some(0) => {}
+            Some(place) => bring_forward(picture, place, "which meshes of the submission show"),
         }
     }
+    undecided
 }
 
 /// Has the explanation at `place` count, and says `why`.
@@ -111,6 +118,20 @@ mod tests {
             settled([&[&["x"], &["y"]], &[&["x"]], &[&["y"]]]),
             ["x", "x", "y"]
         );
+    }
+
+    #[test]
+    fn pictures_without_meshes_decide_among_themselves() {
+        let row = r#""character": "builtin:robot", "pose": "builtin:robot-greet", "points": {"3.4": 1},
+            "kind": "picture", "camera": [80, 10, 3]"#;
+        let text = format!(r#"{{"tests": [{{"name": "a", {row}}}, {{"name": "b", {row}}}]}}"#);
+        let file = TestsFile::read(Path::new("tests.json"), text.as_bytes()).unwrap();
+        let mut both = [graded(&[&["x"], &["y"]]), graded(&[&["y"]])];
+        settle(&file.tests, &mut both);
+        let [first, second] = both;
+        let counted = "told\n  counted  as y, which gives other pictures of the submission as well";
+        assert_eq!((&*first.causes[0][0], &*first.text), ("y", counted));
+        assert_eq!((&*second.causes[0][0], &*second.text), ("y", "told"));
     }
 
     #[test]

@@ -3,7 +3,7 @@ use editor_core::compare::{
     CompareError, MeshComparison, MeshFinding, MeshOptions, MeshParts, Which, compare_meshes,
 };
 use editor_core::geometry::{Mesh, icosahedron, teapot};
-use glam::Vec3;
+use glam::{Quat, Vec3};
 
 /// A mesh without symmetry.
 fn reference() -> Mesh {
@@ -367,6 +367,34 @@ fn a_turn_is_measured_with_a_mirror_a_scale_and_a_movement() {
     assert_eq!((mirrored, offset), (Some("z"), [0.0; 3]));
     assert!((degrees - 20.0).abs() < 1e-4 && near(axis, [0.0, 1.0, 0.0], 1e-6));
     assert!((factor - 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn a_mesh_that_is_nearly_the_turned_one_is_said_to_be() {
+    let a = reference();
+    let turned = |by: f32| {
+        let mut b = a.clone();
+        for (index, position) in b.positions.iter_mut().enumerate() {
+            let off = Vec3::splat(by * (index as f32 * 1.7).sin());
+            *position = Quat::from_rotation_y(0.5) * *position + off;
+        }
+        compare(&a, &b)
+    };
+    let found = turned(0.001);
+    assert_eq!(found.findings, []);
+    assert!(
+        matches!(found.nearly, Some(MeshFinding::Turned { degrees, .. }) if (degrees - 28.65).abs() < 0.05)
+    );
+    let told = "nearly, to within 0.1 % of the size: B is A turned by 28.6";
+    assert!(found.to_string().contains(told), "{found}");
+    // What is off by more is not, nor what is not much farther apart without the turn.
+    assert_eq!(turned(0.05).nearly, None);
+    let mut b = a.clone();
+    for position in &mut b.positions {
+        *position += Vec3::X * 0.02;
+    }
+    b.positions[7].y += 0.001;
+    assert_eq!(compare(&a, &b).nearly, None);
 }
 
 #[test]

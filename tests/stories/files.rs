@@ -548,6 +548,20 @@ fn each_kind_of_files_has_a_folder_of_its_own_and_all_are_offered_as_recent() {
 }
 
 #[test]
+fn the_first_file_of_its_kind_is_saved_beside_the_scene_wherever_others_were_read() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key_with(Modifiers::COMMAND, Key::S);
+    story.choose("scenes/bent.scene");
+    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::I);
+    story.choose("models/strip.obj");
+    assert_eq!(story.names().len(), 2);
+    story.key(Key::F12);
+    story.click("Save…");
+    let request = story.host.requests.last().expect("a request");
+    assert_eq!(request.folder.as_deref(), Some(Path::new("scenes")));
+}
+
+#[test]
 fn a_folder_that_nothing_could_be_saved_in_is_not_where_the_next_dialog_begins() {
     let mut story = Story::start(&["models/strip.obj"]);
     let save = |story: &mut Story, path: &str| {

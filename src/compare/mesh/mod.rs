@@ -26,6 +26,11 @@ use std::fmt;
 /// Vertices differ if they are farther apart than this share of the reference's size, unless
 /// told otherwise.
 pub const MESH_TOLERANCE: f64 = 1e-5;
+/// Share of the reference's size to within which a mesh is nearly another one that was moved, turned or scaled, such as one
+/// that was turned by weights that do not add up to one.
+const NEARLY: f64 = 1e-3;
+/// How many times as far apart the two have to be at most.
+const MUCH_NEARER: f64 = 30.0;
 /// Number of the worst vertices that are listed.
 const LISTED: usize = 10;
 
@@ -80,6 +85,9 @@ pub struct MeshComparison {
     /// What is wrong.
     #[serde(serialize_with = "with_messages")]
     pub findings: Vec<MeshFinding>,
+    /// Where no cause accounts for what differs: what B is to within a thousandth of the size of A, if it is much farther
+    /// apart.
+    pub nearly: Option<MeshFinding>,
 }
 
 /// A vertex that differs.
@@ -148,10 +156,12 @@ pub fn compare_meshes(
     };
     let found = at_once(|_| found_by(&Evidence::RULES, async |_, applies| applies(&evidence)));
     let findings = without_names(found);
-    let places = if is_explained(&findings, differing) {
-        Vec::new()
+    let is_explained = is_explained(&findings, differing);
+    let (places, nearly) = if is_explained {
+        (Vec::new(), None)
     } else {
-        place::places(&points_a, &distances, tolerance, options.parts)
+        let places = place::places(&points_a, &distances, tolerance, options.parts);
+        (places, nearly(&evidence.points, NEARLY * size))
     };
     Ok(MeshComparison {
         passed: differing <= allowed_vertices && triangles.are_same(),
@@ -170,8 +180,32 @@ pub fn compare_meshes(
         places,
         same_triangles: triangles.are_same(),
         findings,
+        nearly,
     })
 }
+
+/// What moved, turned or scaled A to where B is to within `tolerance`, if they are much farther apart.
+fn nearly(points: &Points<'_>, tolerance: f64) -> Option<MeshFinding> {
+    if points.apart.is_nan() || points.apart < MUCH_NEARER * tolerance {
+        return None;
+    }
+    let points = Points {
+        tolerance,
+        ..*points
+    };
+    PLACEMENTS.iter().find_map(|find| find(&points))
+}
+
+/// Ways in which all of A may be placed elsewhere, the simplest first.
+const PLACEMENTS: [fn(&Points<'_>) -> Option<MeshFinding>; 7] = [
+    placement::offset,
+    placement::scale,
+    placement::scale_and_move,
+    placement::axes,
+    placement::scaled_axes,
+    placement::scaled_and_moved_axes,
+    placement::turn,
+];
 
 /// For each of `b` the index of the one of `a` that it is, within `tolerance`, if they are the same
 /// points in another order. `None` for other numbers of points.
@@ -329,6 +363,12 @@ impl MeshComparison {
         if !self.is_unexplained() {
             return None;
         }
+        if let Some(nearly) = &self.nearly {
+            let percent = 100.0 * NEARLY;
+            return Some(format!(
+                "nearly, to within {percent} % of the size: {nearly}"
+            ));
+        }
         let differing = self.differing_vertices;
         let agreeing = self.vertices - differing;
         let place = match self.differing_bounds {
@@ -388,7 +428,9 @@ impl fmt::Display for MeshComparison {
         }
         if let Some(unexplained) = self.unexplained() {
             writeln!(f, "{unexplained}")?;
-            place::fmt_places(f, &self.places)?;
+            if self.nearly.is_none() {
+                place::fmt_places(f, &self.places)?;
+            }
         }
         if self.differing_vertices <= self.allowed_vertices && !self.same_triangles {
             return f.write_str("failed: the triangles differ");

@@ -86,10 +86,12 @@ fn from_plain(posed: &Posed, expected: &Posed) -> u32 {
     let rotations = posed.rotations.iter().zip(&expected.rotations);
     let of_joint = rotations.map(|(rotation, expected)| {
         let is = |other: DMat3| degrees_between(*rotation, other) <= TOLD_APART;
-        match () {
-            () if is(*expected) => 0,
-            () if is(DMat3::IDENTITY) => AT_REST,
-            () => TURNED,
+        if is(*expected) {
+            0
+        } else if is(DMat3::IDENTITY) {
+            AT_REST
+        } else {
+            TURNED
         }
     });
     of_joint.sum()
