@@ -15,6 +15,9 @@ const HALF_WIDTH: i32 = 2;
 /// Fewest pixels along a line that go on without a gap, and fewest of all of them: others are chance.
 const LEAST_RUN: usize = 8;
 const LEAST_LENGTH: usize = 16;
+/// Part of the length of an axis, from the first of its pixels to the last, of which none is missing: what lies in a line
+/// by chance has more gaps.
+const WHOLE: f32 = 0.5;
 /// Most pixels that an axis may have, by the width and height of the picture: more are no thin line.
 const MOST_OF_SIDES: u64 = 4;
 /// Sine of the angle at which two of the axes cross in a picture, at least.
@@ -55,7 +58,8 @@ impl Axes {
             for channel in 0..3 {
                 let colored = Mask::of_channel(pair, &channels, channel).thin();
                 pace.after(other_colors.len()).await;
-                if let Some(line) = colored.longest_line(pace).await {
+                let line = colored.longest_line(pace).await;
+                if let Some(line) = line.filter(|line| colored.is_whole(*line)) {
                     let both = Mask::in_both(pair, with, other_colors, channel).thin();
                     pace.after(other_colors.len()).await;
                     if both.runs(line).flatten().count() >= LEAST_LENGTH {
@@ -281,24 +285,33 @@ impl Mask {
         runs.filter(|run| run.len() >= LEAST_RUN)
     }
 
-    /// Marks the pixels of an axis along `line` that differ. Returns how far it is seen.
-    fn cover(&self, line: Line, other_colors: &[bool], covered: &mut [bool]) -> Seen {
+    /// From the first pixel of a line to the last.
+    fn range(&self, line: Line) -> Range<i32> {
         let (mut first, mut end) = (self.size[line.along], 0);
         for run in self.runs(line) {
             (first, end) = (first.min(run.start), end.max(run.end));
         }
+        first..end
+    }
+
+    /// Whether a line has few gaps.
+    fn is_whole(&self, line: Line) -> bool {
+        let seen = self.runs(line).flatten().count();
+        seen as f32 >= WHOLE * self.range(line).len() as f32
+    }
+
+    /// Marks the pixels of an axis along `line` that differ. Returns how far it is seen.
+    fn cover(&self, line: Line, other_colors: &[bool], covered: &mut [bool]) -> Seen {
+        let range = self.range(line);
         // Where axes cross, a pixel has the colors of both.
-        for at in first..end {
+        for at in range.clone() {
             for across in -HALF_WIDTH..=HALF_WIDTH {
                 if let Some(index) = self.index(line.pixel(at, across)) {
                     covered[index] |= other_colors[index];
                 }
             }
         }
-        Seen {
-            line,
-            range: first..end,
-        }
+        Seen { line, range }
     }
 }
 
