@@ -149,6 +149,11 @@ fn lines_that_are_no_axes_are_not_called_so() {
     });
     let dashes: Vec<Line> = dashes.collect();
     assert!(!found(&dashes));
+    let along_a_side = ([70.0, 0.5], [150.0, 0.5], RED);
+    let that_ends_inside = ([70.0, 95.0], [150.0, 90.0], BLUE);
+    for line in [along_a_side, that_ends_inside] {
+        assert!(!found(&[line, AXES[1]]), "{line:?}");
+    }
     // Both show them, from another side.
     let elsewhere = AXES.map(|([x, y], to, color)| ([x + 9.0, y - 9.0], to, color));
     let with = with_lines(&without, &AXES, 0.8);

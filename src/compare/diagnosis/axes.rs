@@ -59,7 +59,7 @@ impl Axes {
                 let colored = Mask::of_channel(pair, &channels, channel).thin();
                 pace.after(other_colors.len()).await;
                 let line = colored.longest_line(pace).await;
-                if let Some(line) = line.filter(|line| colored.is_whole(*line)) {
+                if let Some(line) = line.filter(|line| colored.is_axis(*line)) {
                     let both = Mask::in_both(pair, with, other_colors, channel).thin();
                     pace.after(other_colors.len()).await;
                     if both.runs(line).flatten().count() >= LEAST_LENGTH {
@@ -294,10 +294,19 @@ impl Mask {
         first..end
     }
 
-    /// Whether a line has few gaps.
-    fn is_whole(&self, line: Line) -> bool {
+    /// Whether a line has few gaps, and leaves the picture: it ends at a side, and does not run along it.
+    fn is_axis(&self, line: Line) -> bool {
+        let range = self.range(line);
         let seen = self.runs(line).flatten().count();
-        seen as f32 >= WHOLE * self.range(line).len() as f32
+        let sides = [range.start, range.end - 1].map(|at| self.sides_at(line.pixel(at, 0)));
+        let leaves = sides[0].iter().zip(sides[1]).any(|(a, b)| *a != b);
+        leaves && seen as f32 >= WHOLE * range.len() as f32
+    }
+
+    /// Which sides of the picture a pixel is at.
+    fn sides_at(&self, [x, y]: [i32; 2]) -> [bool; 4] {
+        let [width, height] = self.size;
+        [x, y, width - 1 - x, height - 1 - y].map(|away| away <= HALF_WIDTH)
     }
 
     /// Marks the pixels of an axis along `line` that differ. Returns how far it is seen.
