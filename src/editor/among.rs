@@ -1,5 +1,6 @@
 //! Where a figure that is added stands among the shapes that are there already.
 
+use super::standing::{Stander, body_of, moved, way_out};
 use super::{Edit, Session, hiding};
 use crate::math::{Aabb, Euler, Transform};
 use crate::scene::{
@@ -7,14 +8,6 @@ use crate::scene::{
 };
 use glam::Vec3;
 
-/// Gap between a figure and what it stands beside, relative to its width.
-const GAP: f32 = 0.1;
-/// Share of both boxes that has to be in the other for one to stand in the other: a lamp in a hand
-/// does not, nor does a figure in a room.
-const INSIDE: f32 = 0.1;
-/// Share of the shorter side of two figures' boxes, in each direction, from which on one stands in the other, however
-/// large that is: a lizard whose tail looks out behind a man does, a rider on a horse does not.
-const MOSTLY_INSIDE: f32 = 0.5;
 /// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
 const OFF_THE_GROUND: f32 = 0.02;
 /// Depth of shapes by their width and height from which on they hide themselves.
@@ -36,7 +29,7 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
     let is_curve = |shape: &NewShape| matches!(shape.kind, ShapeKind::Curve(_));
     let Some(front) = shapes.iter().find_map(NewShape::front) else {
         let mut figures = standing(session);
-        figures.retain(|other| other.is_figure);
+        figures.retain(|other| other.is_solid);
         if shapes.iter().all(is_curve) {
             stand_beside(session, shapes, &bounds, |bounds| {
                 way_out(&body_of(bounds), &figures, Vec3::X)
@@ -59,7 +52,7 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
     if shows_back(front, wanted) && turn_round(shapes, bounds.center()) {
         bounds = bounds_of(shapes);
     }
-    let others = standing(session);
+    let others = standing_around(session, shapes, camera.eye());
     // Across the view: along it one would hide the other.
     let is_from_x = to_eye.x.abs() > FROM_THE_SIDE * to_eye.z.abs();
     let along = if is_from_x { Vec3::Z } else { Vec3::X };
@@ -79,12 +72,32 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
 fn hide_a_figure(session: &Session, shapes: &[NewShape], eye: Vec3) -> bool {
     let alone = evaluated_alone(shapes);
     let scene = session.scene();
-    let is_figure = |shape: &&EvaluatedShape| {
+    let is_solid = |shape: &&EvaluatedShape| {
         let shape = scene.shape(shape.id);
         shape.is_some_and(|shape| shape.visible && shape.front().is_some())
     };
-    let mut figures = session.evaluated().shapes.iter().filter(is_figure);
-    figures.any(|figure| hiding::hide(&alone, figure, eye))
+    let mut figures = session.evaluated().shapes.iter().filter(is_solid);
+    figures.any(|figure| {
+        let mut hiding = alone.shapes.iter();
+        hiding.any(|shape| hiding::hides(shape, figure, eye))
+    })
+}
+
+/// What is seen in the document, where what would hide `shapes`, which are to be added, from the direction of `eye` is as
+/// solid as a figure.
+fn standing_around(session: &Session, shapes: &[NewShape], eye: Vec3) -> Vec<Stander> {
+    let alone = evaluated_alone(shapes);
+    let mut all = standing(session);
+    let seen = session
+        .evaluated()
+        .shapes
+        .iter()
+        .filter(|shape| shape.visible);
+    for (stander, shape) in all.iter_mut().zip(seen) {
+        let mut added = alone.shapes.iter();
+        stander.is_solid |= added.any(|figure| hiding::hides(shape, figure, eye));
+    }
+    all
 }
 
 /// The way back for what is deep, seen from the side that `others` face, until it stands out no further than these:
@@ -119,21 +132,9 @@ fn standing(session: &Session) -> Vec<Stander> {
     let there = all.filter(|(_, evaluated)| evaluated.visible);
     let there = there.map(|(shape, evaluated)| Stander {
         bounds: evaluated.world_bounds(),
-        is_figure: shape.front().is_some(),
+        is_solid: shape.front().is_some(),
     });
     there.collect()
-}
-
-/// The bounds of a curve, as deep as it is wide: what is made of it takes up as much, and a flat one would stand in
-/// nothing.
-fn body_of(bounds: &Aabb) -> Aabb {
-    let (center, half) = (bounds.center(), bounds.size() / 2.0);
-    let radius = half.x.max(half.z);
-    let half = half.with_x(radius).with_z(radius);
-    Aabb {
-        min: center - half,
-        max: center + half,
-    }
 }
 
 /// Moves shapes with these `bounds`, which would stand in others, onto the ground of the characters, and there by what
@@ -157,13 +158,6 @@ fn move_all(shapes: &mut [NewShape], by: Vec3) {
     for shape in shapes {
         shape.placement.transform.position += by;
         shape.start.transform.position += by;
-    }
-}
-
-fn moved(bounds: &Aabb, by: Vec3) -> Aabb {
-    Aabb {
-        min: bounds.min + by,
-        max: bounds.max + by,
     }
 }
 
@@ -235,7 +229,7 @@ pub fn set_beside_others(session: &Session, shape: &mut NewShape) {
     let mut others = standing(session);
     if matches!(shape.kind, ShapeKind::Curve(_)) {
         bounds = body_of(&bounds);
-        others.retain(|other| other.is_figure);
+        others.retain(|other| other.is_solid);
     }
     let lifted = moved(&bounds, by);
     by += way_out(&lifted, &others, Vec3::X);
@@ -349,100 +343,4 @@ fn turn_round(shapes: &mut [NewShape], center: Vec3) -> bool {
         }
     }
     true
-}
-
-/// What stands somewhere already.
-struct Stander {
-    bounds: Aabb,
-    is_figure: bool,
-}
-
-/// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none
-/// of those that are there.
-fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
-    let gap = GAP * bounds.size().dot(along);
-    let after = |other: &Stander| (other.bounds.max - bounds.min).dot(along) + gap;
-    let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
-    ways.sort_by(f32::total_cmp);
-    let ways = std::iter::once(0.0).chain(ways);
-    let ways = ways.map(|way| along * way);
-    let mut free = ways.filter(|&way| {
-        let moved = moved(bounds, way);
-        !there.iter().any(|other| stands_in(&moved, other))
-    });
-    free.next().unwrap_or(Vec3::ZERO)
-}
-
-/// Whether a figure and what is there stand in one another. A figure is in a room, but not in another figure.
-fn stands_in(figure: &Aabb, other: &Stander) -> bool {
-    let volume = |size: Vec3| size.max(Vec3::ZERO).element_product();
-    let (a, b) = (figure, &other.bounds);
-    let common = a.max.min(b.max) - a.min.max(b.min);
-    let larger = volume(a.size()).max(volume(b.size()));
-    let is_within = || common.cmpge(MOSTLY_INSIDE * a.size().min(b.size())).all();
-    volume(common) > INSIDE * larger || other.is_figure && is_within()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn boxed(low: [f32; 3], high: [f32; 3]) -> Aabb {
-        Aabb::from_points([low, high].map(Vec3::from))
-    }
-
-    fn way_among(own: &Aabb, there: &[Aabb], is_figure: bool) -> Vec3 {
-        let there = there.iter().map(|&bounds| Stander { bounds, is_figure });
-        super::way_out(own, &there.collect::<Vec<_>>(), Vec3::X)
-    }
-
-    fn way_out(own: &Aabb, there: &[Aabb]) -> Vec3 {
-        way_among(own, there, false)
-    }
-
-    #[test]
-    fn a_figure_does_not_stand_in_a_larger_one_but_sits_on_it() {
-        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
-        let giant = boxed([-5.0, 0.0, -5.0], [5.0, 20.0, 5.0]);
-        let way = way_among(&own, &[giant], true);
-        assert!((way.x - 5.6).abs() < 1e-5, "{way}");
-        let way = way_among(&giant, &[own], true);
-        assert!((way.x - 6.5).abs() < 1e-5, "{way}");
-        let lizard = boxed([-0.3, 0.6, -1.5], [0.3, 0.9, 1.5]);
-        let way = way_among(&lizard, &[own], true);
-        assert!((way.x - 0.86).abs() < 1e-5, "{way}");
-        let horse = boxed([-0.6, -1.5, -5.0], [0.6, 0.4, 5.0]);
-        assert_eq!(way_among(&own, &[horse], true), Vec3::ZERO);
-    }
-
-    #[test]
-    fn a_flat_curve_that_is_larger_than_a_figure_goes_past_it_and_one_overhead_stays() {
-        let figure = boxed([-0.5, 0.0, -0.2], [0.5, 2.0, 0.2]);
-        let curve = boxed([-5.0, 0.0, 0.0], [5.0, 20.0, 0.0]);
-        let way = way_among(&body_of(&curve), &[figure], true);
-        assert!((way.x - 6.5).abs() < 1e-5, "{way}");
-        let overhead = boxed([-1.0, 3.0, 0.0], [1.0, 4.0, 0.0]);
-        assert_eq!(way_among(&body_of(&overhead), &[figure], true), Vec3::ZERO);
-    }
-
-    #[test]
-    fn a_box_moves_past_all_that_it_would_stand_in_and_no_further() {
-        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
-        let beside = boxed([0.7, 0.0, -0.5], [1.7, 2.0, 0.5]);
-        assert_eq!(way_out(&own, &[beside]), Vec3::ZERO);
-        let way = way_out(&own, &[own, beside]);
-        assert!((way.x - 2.3).abs() < 1e-5 && way.y == 0.0, "{way}");
-        let far = boxed([9.0, 0.0, -0.5], [9.5, 2.0, 0.5]);
-        let way = way_out(&own, &[far, own]);
-        assert!((way.x - 1.1).abs() < 1e-5, "{way}");
-    }
-
-    #[test]
-    fn a_figure_in_a_room_and_a_lamp_in_a_hand_stay_there() {
-        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
-        let room = boxed([-5.0, 0.0, -5.0], [5.0, 3.0, 5.0]);
-        let lamp = boxed([0.3, 1.0, 0.2], [0.4, 1.2, 0.3]);
-        let floor = boxed([-5.0, 0.0, -5.0], [5.0, 0.0, 5.0]);
-        assert_eq!(way_out(&own, &[room, lamp, floor]), Vec3::ZERO);
-    }
 }

@@ -1,7 +1,7 @@
-//! Whether shapes that are added would hide a figure that is inside of them.
+//! Whether a shape hides a figure that is inside of it.
 
 use crate::math::Ray;
-use crate::scene::{Evaluated, EvaluatedShape};
+use crate::scene::EvaluatedShape;
 use glam::Vec3;
 
 /// Vertices of the figure that are looked at, at most, from all over it.
@@ -9,9 +9,9 @@ const SAMPLE: usize = 48;
 /// Share of them that has to be hidden.
 const HIDDEN: f32 = 0.5;
 
-/// Whether `shapes` would hide most of `figure` from an eye in the direction of `eye`, however far away: a closed pot does,
-/// an open stage does not.
-pub(super) fn hide(shapes: &Evaluated, figure: &EvaluatedShape, eye: Vec3) -> bool {
+/// Whether `shape` hides most of `figure` from an eye in the direction of `eye`, however far away: a closed pot does, an
+/// open stage does not.
+pub(super) fn hides(shape: &EvaluatedShape, figure: &EvaluatedShape, eye: Vec3) -> bool {
     let vertices = figure.geometry.positions();
     let step = vertices.len().div_ceil(SAMPLE).max(1);
     let (mut all, mut hidden) = (0, 0);
@@ -22,21 +22,7 @@ pub(super) fn hide(shapes: &Evaluated, figure: &EvaluatedShape, eye: Vec3) -> bo
             direction: eye - origin,
         };
         all += 1;
-        hidden += usize::from(shapes.shapes.iter().any(|shape| meets(&ray, shape)));
+        hidden += usize::from(shape.is_met_by(&ray));
     }
     all > 0 && hidden as f32 >= HIDDEN * all as f32
-}
-
-/// Whether a ray in the world meets a triangle of a shape.
-fn meets(ray: &Ray, shape: &EvaluatedShape) -> bool {
-    let ray = ray.transformed(shape.world_from_model.inverse());
-    if ray.entry(&shape.geometry.bounds()).is_none() {
-        return false;
-    }
-    let vertices = shape.geometry.positions();
-    let mut triangles = shape.geometry.mesh.triangles.iter();
-    triangles.any(|corners| {
-        let corners = corners.map(|corner| vertices[corner as usize]);
-        ray.triangle(corners).is_some()
-    })
 }

@@ -22,6 +22,7 @@ mod session;
 mod shape_group;
 mod shape_scale;
 mod shape_turn;
+mod standing;
 mod step_name;
 mod swing;
 

@@ -16,6 +16,11 @@ impl Aabb {
         max: Vec3::NEG_INFINITY,
     };
 
+    /// Whether a point lies in it, or on a side.
+    pub fn contains(&self, point: Vec3) -> bool {
+        point.cmpge(self.min).all() && point.cmple(self.max).all()
+    }
+
     /// The smallest box around `points`, all in one space.
     pub fn from_points(points: impl IntoIterator<Item = Vec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |aabb, point| Self {

@@ -202,12 +202,8 @@ impl Program {
                     self.tell(Severity::Info, text);
                 }
             }
-            Ask::PastePose(shape) => {
-                self.ask_for_clipboard(Some(shape), Pasted::whole(Sides::AsTheyAre), host);
-            }
-            Ask::PastePoseMirrored(shape) => {
-                self.ask_for_clipboard(Some(shape), Pasted::whole(Sides::Exchanged), host);
-            }
+            Ask::PastePose(shape) => self.ask_for_pose(shape, Sides::AsTheyAre, host),
+            Ask::PastePoseMirrored(shape) => self.ask_for_pose(shape, Sides::Exchanged, host),
             Ask::PastePoseOnto {
                 shape,
                 joints,

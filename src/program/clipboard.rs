@@ -26,6 +26,8 @@ pub(super) struct PasteInto {
     /// The character that a pose would be for.
     shape: Option<ShapeId>,
     pasted: Pasted,
+    /// Whether shapes would be added.
+    takes_shapes: bool,
 }
 
 /// What a character gets of a pose.
@@ -79,18 +81,29 @@ pub(super) enum Sides {
 }
 
 impl Program {
-    /// Asks the host for what is on the clipboard, of which a pose is for the character `shape`.
+    /// Asks the host for what is on the clipboard: shapes, or a pose for the character `shape`.
     pub(super) fn ask_for_clipboard(
         &mut self,
         shape: Option<ShapeId>,
         pasted: Pasted,
         host: &mut dyn Host,
     ) {
-        let opened = self.session.opened();
         self.paste_into = Some(PasteInto {
-            opened,
+            opened: self.session.opened(),
             shape,
             pasted,
+            takes_shapes: true,
+        });
+        host.request_paste();
+    }
+
+    /// Asks the host for a pose on the clipboard, for the character `shape`.
+    pub(super) fn ask_for_pose(&mut self, shape: ShapeId, sides: Sides, host: &mut dyn Host) {
+        self.paste_into = Some(PasteInto {
+            opened: self.session.opened(),
+            shape: Some(shape),
+            pasted: Pasted::whole(sides),
+            takes_shapes: false,
         });
         host.request_paste();
     }
@@ -135,6 +148,7 @@ impl Program {
             opened,
             shape,
             pasted,
+            takes_shapes,
         } = into;
         if self.is_from_another_scene(opened) {
             return;
@@ -146,7 +160,10 @@ impl Program {
             _ if text.trim().is_empty() => {
                 "There is nothing on the clipboard: Copy and Copy Pose put something there"
             }
-            _ if is_scene => return self.paste_shapes(text, host),
+            _ if is_scene && takes_shapes => return self.paste_shapes(text, host),
+            _ if is_scene => {
+                "There are shapes on the clipboard and no pose: Copy Pose puts one there, Paste adds the shapes"
+            }
             // What begins like this is meant to be a pose, whose fault is worth telling.
             Some(shape) if text.trim_start().starts_with('{') => {
                 return self.take_pose(shape, path, text.as_bytes(), &pasted);

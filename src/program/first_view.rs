@@ -4,7 +4,7 @@ use super::running::Program;
 use crate::character::Facing;
 use crate::editor::{Severity, View, bounds_of, is_deep, put_on_ground, set_among};
 use crate::io;
-use crate::math::Aabb;
+use crate::math::{Aabb, Ray};
 use crate::render::MANNEQUIN_LIGHT;
 use crate::scene::{
     Camera, FitArea, Importer, Look, NewShape, ShapeColor, ShapeId, ShapeKind, ViewSettings,
@@ -127,17 +127,26 @@ impl Program {
         let view = *self.session.view();
         self.make_neutral(shapes, view.look);
         if self.comparison.is_none() {
-            let is_beside = set_among(&self.session, shapes, &view.camera);
-            put_on_ground(&self.session, shapes);
-            if let (true, Some(first)) = (is_beside, shapes.first()) {
-                let text = format!(
-                    "{} is set beside the character that it would hide. Position 0, 0, 0 has it where its file does",
-                    first.name
-                );
-                self.tell(Severity::Info, text);
-            }
+            self.place_import(shapes, &view.camera);
         }
         None
+    }
+
+    /// Gives shapes that are imported their places among those that are there, as `camera` sees them.
+    fn place_import(&mut self, shapes: &mut [NewShape], camera: &Camera) {
+        let place = |shapes: &[NewShape]| shapes.first().map(|it| it.placement.transform.position);
+        let before = place(shapes);
+        let is_beside = set_among(&self.session, shapes, camera);
+        put_on_ground(&self.session, shapes);
+        // Set around the eye, it would be all that is seen.
+        self.fit_due |= before != place(shapes) && bounds_of(shapes).contains(camera.eye());
+        if let (true, Some(first)) = (is_beside, shapes.first()) {
+            let text = format!(
+                "{} is set beside the character that it would hide. Position 0, 0, 0 has it where its file does",
+                first.name
+            );
+            self.tell(Severity::Info, text);
+        }
     }
 
     /// Shows shapes that have just been added: the first that are imported into a document through its `first`
@@ -157,14 +166,17 @@ impl Program {
         } else {
             let evaluated = self.session.evaluated();
             let shapes = added.iter().filter_map(|&id| evaluated.shape(id));
-            let bounds = shapes.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
+            let meets = |ray: &Ray| shapes.clone().any(|shape| shape.is_met_by(ray));
+            let bounds = shapes
+                .clone()
+                .fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
             let camera = &self.session.view().camera;
             let aspect = self.fit_area.aspect;
             let scene = self.session.scene();
             let mut fronts = added.iter().filter_map(|&id| scene.shape(id)?.front());
             // A figure that fills the view is too near, and hides what was there; a room may be all around.
             let is_whole = fronts.next().is_none() || camera.seen_part(&bounds, aspect) >= WHOLE;
-            let is_seen = camera.sees(&bounds, aspect) && is_whole;
+            let is_seen = camera.sees(&bounds, aspect, meets) && is_whole;
             self.fit_due |= !is_seen && !bounds.is_empty();
         }
     }

@@ -202,6 +202,12 @@ impl EvaluatedShape {
         self.geometry.bounds().transformed(self.world_from_model)
     }
 
+    /// Whether `ray`, in the world, meets the surface.
+    pub fn is_met_by(&self, ray: &Ray) -> bool {
+        let ray = ray.transformed(self.world_from_model.inverse());
+        self.geometry.nearest_surface(&ray).is_some()
+    }
+
     /// Box in the world that contains the shape, but for its control points: its bounds if they are
     /// known, else a larger one for which no vertex is skinned.
     pub fn world_box(&self) -> Aabb {

@@ -124,6 +124,26 @@ pub(super) struct KeyPress {
     pub at: f64,
 }
 
+const NO_EDIT_MODE: &str = "There is no Edit Mode: J or Ctrl+Tab poses. Shift+Tab, or Tab with the pointer beside the view, \
+                            goes through the panels";
+
+/// Says so where Tab is pressed with the pointer over the view in the Blender navigation, as it would be there to edit, and
+/// has it lead nowhere: whoever does not see that the menus have the keyboard goes on with the wrong keys.
+pub(super) fn tab_over_the_view(ctx: &egui::Context, state: &UiState) -> Option<Action> {
+    let is_pressed = ctx.input(|input| {
+        let is_over = |at| state.view_rect.contains(at);
+        input.pointer.latest_pos().is_some_and(is_over)
+            && input.modifiers.is_none()
+            && input.key_pressed(egui::Key::Tab)
+    });
+    let is_meant = is_pressed && state.navigation == Navigation::Blender;
+    if !is_meant || ctx.memory(|memory| memory.focused()).is_some() {
+        return None;
+    }
+    ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+    Some(Action::View(View::Tell(NO_EDIT_MODE)))
+}
+
 /// Seconds for which an axis and a number that follow a refused G, R or S are taken for its own.
 const TYPED_AFTER: f64 = 3.0;
 

@@ -134,9 +134,25 @@ fn b_selects_in_a_box_and_j_poses_and_tab_still_goes_to_the_panels() {
         editor.key_with(modifiers, key);
         assert!(has_pose_tool(&editor), "{key:?}");
     }
+    let has_focus = |editor: &Editor| {
+        editor
+            .harness
+            .ctx
+            .memory(|memory| memory.focused())
+            .is_some()
+    };
+    // Over the view it is the key of Blender's Edit Mode.
+    let over_the_view = editor.harness.state().view.center();
+    editor.harness.hover_at(over_the_view);
     editor.key(Key::Tab);
-    let focused = editor.harness.ctx.memory(|memory| memory.focused());
-    assert!(focused.is_some());
+    assert!(!has_focus(&editor));
+    let told = editor.painted();
+    let mut told = told.iter().map(|(text, _)| text);
+    assert!(told.any(|text| text.starts_with("There is no Edit Mode")));
+    editor.key_with(Modifiers::SHIFT, Key::Tab);
+    assert!(has_focus(&editor));
+    editor.key(Key::Tab);
+    assert!(has_focus(&editor), "once the keyboard is there");
 }
 
 #[test]

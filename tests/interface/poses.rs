@@ -117,6 +117,11 @@ fn copy_and_paste_ask_for_the_clipboard() {
     paste(&mut editor, Modifiers::COMMAND);
     paste(&mut editor, Modifiers::COMMAND | Modifiers::SHIFT);
     editor.choose(&["Pose", "Paste Pose Mirrored"]);
+    // egui reports these as copying and pasting, too.
+    let with_alt = Modifiers::COMMAND | Modifiers::ALT;
+    editor.harness.event_modifiers(Event::Copy, with_alt);
+    editor.settle();
+    paste(&mut editor, with_alt);
     // With the Pose tool, the same keys are about the pose.
     editor.key(Key::B);
     editor.harness.event(Event::Copy);
@@ -128,6 +133,8 @@ fn copy_and_paste_ask_for_the_clipboard() {
         Ask::Paste,
         Ask::PastePoseMirrored(id),
         Ask::PastePoseMirrored(id),
+        Ask::CopyPose(id),
+        Ask::PastePose(id),
         Ask::CopyPose(id),
     ];
     assert_eq!(editor.asked(), asked);

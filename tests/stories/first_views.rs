@@ -178,9 +178,17 @@ fn room(is_open: bool) -> String {
 
 #[test]
 fn a_shape_that_is_imported_is_set_beside_a_character_that_it_would_hide_and_seen_whole() {
-    for (is_open, look) in [(false, Key::F3), (false, Key::F2), (true, Key::F3)] {
+    for (is_open, look, theta) in [
+        (false, Key::F3, 90.0_f32),
+        (false, Key::F3, 45.0),
+        (false, Key::F2, 90.0),
+        (true, Key::F3, 90.0),
+    ] {
         let mut story = start(&["builtin:adult"]);
         story.key(look);
+        let mut camera = story.session().view().camera;
+        camera.theta = theta.to_radians();
+        story.program.session_mut().look(View::SetCamera(camera));
         let room = room(is_open).into_bytes();
         story.host.files.insert("models/room.obj".into(), room);
         // Near to the figure, in the room.
@@ -205,6 +213,22 @@ fn a_shape_that_is_imported_is_set_beside_a_character_that_it_would_hide_and_see
                 shape.name
             );
         }
+    }
+}
+
+#[test]
+fn a_character_is_set_beside_a_shape_that_would_hide_it_and_into_an_open_one() {
+    for is_open in [false, true] {
+        let mut host = host();
+        let room = room(is_open).into_bytes();
+        host.files.insert("models/room.obj".into(), room);
+        let mut story = Story::start_at(host, &["models/room.obj"]);
+        let ask = Action::Ask(Ask::InsertBuiltin("adult"));
+        story.program.carry_out(vec![ask], &mut story.host);
+        story.settle();
+        let shapes = &story.session().evaluated().shapes;
+        let [room, adult] = [&shapes[0], &shapes[1]].map(|shape| shape.world_bounds());
+        assert_eq!(adult.min.x > room.max.x, !is_open, "{adult:?} {room:?}");
     }
 }
 
@@ -306,7 +330,8 @@ fn a_copy_that_would_be_out_of_sight_is_brought_into_the_view() {
         let copy = session.evaluated().shapes.last().expect("a shape");
         let view = story.view();
         let aspect = view.width() / view.height();
-        session.view().camera.sees(&copy.world_bounds(), aspect)
+        let camera = session.view().camera;
+        camera.sees(&copy.world_bounds(), aspect, |ray| copy.is_met_by(ray))
     };
     let camera = story.session().view().camera;
     story.key_with(Modifiers::COMMAND, Key::D);

@@ -317,6 +317,15 @@ fn a_pose_is_pasted_by_the_same_key_and_what_is_neither_is_refused() {
         "with the Pose tool, the pose"
     );
 
+    story.key(Key::V);
+    story.frame(vec![Event::Copy]);
+    story.settle();
+    story.click("Pose");
+    story.click("Paste Pose");
+    let shapes = "There are shapes on the clipboard and no pose: Copy Pose puts one there, Paste adds the shapes";
+    assert_eq!(story.messages().last(), Some(&(Severity::Warning, shapes)));
+    assert_eq!(story.names(), ["Strip"]);
+
     let neither = "There are no shapes and no pose on the clipboard";
     let pose = r#"{"joints": {"Elbow": [0, 0, 20]}}"#;
     let whose = "There is a pose on the clipboard, no shape: select the character that takes it";

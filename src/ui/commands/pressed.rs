@@ -12,7 +12,13 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         let held = input.pointer.any_down();
-        let Modifiers { command, shift, .. } = input.modifiers;
+        let Modifiers {
+            command,
+            shift,
+            alt,
+            ..
+        } = input.modifiers;
+        let ctrl = if alt { CTRL.plus(Modifiers::ALT) } else { CTRL };
         input.events.retain(|event| {
             let (modifiers, key) = match event {
                 Event::Key {
@@ -21,11 +27,11 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
                     modifiers,
                     ..
                 } => (*modifiers, *key),
-                // egui reports these shortcuts as what they mean.
-                Event::Copy => (CTRL, Key::C),
-                Event::Cut => (CTRL, Key::X),
-                Event::Paste(_) if command && shift => (CTRL.plus(SHIFT), Key::V),
-                Event::Paste(_) => (CTRL, Key::V),
+                // egui reports these shortcuts as what they mean, whatever else is held.
+                Event::Copy => (ctrl, Key::C),
+                Event::Cut => (ctrl, Key::X),
+                Event::Paste(_) if command && shift => (ctrl.plus(SHIFT), Key::V),
+                Event::Paste(_) => (ctrl, Key::V),
                 _ => return true,
             };
             let hit = command_of(modifiers, key, navigation)

@@ -26,7 +26,7 @@ const LETTERS: f32 = 15.0;
 const SMALLER: f32 = 12.5;
 
 const FOLLOWS: &str =
-    "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
+    "Drag a joint's numbers at the right, or its bone with the Pose tool, and watch these change.";
 
 const FOLLOWS_SELECTED: &str =
     "Select the character, drag a joint's numbers at the right, and watch these change.";

@@ -1,0 +1,130 @@
+//! What stands somewhere, and the way out of it.
+
+use crate::math::Aabb;
+use glam::Vec3;
+
+/// Gap between a figure and what it stands beside, relative to its width.
+const GAP: f32 = 0.1;
+/// Share of both boxes that has to be in the other for one to stand in the other: a lamp in a hand
+/// does not, nor does a figure in a room.
+const INSIDE: f32 = 0.1;
+/// Share of the shorter side of two figures' boxes, in each direction, from which on one stands in the other, however
+/// large that is: a lizard whose tail looks out behind a man does, a rider on a horse does not.
+const MOSTLY_INSIDE: f32 = 0.5;
+
+/// What stands somewhere already.
+pub(super) struct Stander {
+    pub(super) bounds: Aabb,
+    /// Whether nothing else stands in it: it is a figure, or hides what is inside of it.
+    pub(super) is_solid: bool,
+}
+
+/// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none
+/// of those that are there.
+pub(super) fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
+    let gap = GAP * bounds.size().dot(along);
+    let after = |other: &Stander| (other.bounds.max - bounds.min).dot(along) + gap;
+    let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
+    ways.sort_by(f32::total_cmp);
+    let ways = std::iter::once(0.0).chain(ways);
+    let ways = ways.map(|way| along * way);
+    let mut free = ways.filter(|&way| {
+        let moved = moved(bounds, way);
+        !there.iter().any(|other| stands_in(&moved, other))
+    });
+    free.next().unwrap_or(Vec3::ZERO)
+}
+
+/// Whether a figure and what is there stand in one another. A figure is in a room, but not in another figure.
+fn stands_in(figure: &Aabb, other: &Stander) -> bool {
+    let volume = |size: Vec3| size.max(Vec3::ZERO).element_product();
+    let (a, b) = (figure, &other.bounds);
+    let common = a.max.min(b.max) - a.min.max(b.min);
+    let larger = volume(a.size()).max(volume(b.size()));
+    let is_within = || common.cmpge(MOSTLY_INSIDE * a.size().min(b.size())).all();
+    volume(common) > INSIDE * larger || other.is_solid && is_within()
+}
+
+/// The bounds of a curve, as deep as it is wide: what is made of it takes up as much, and a flat one would stand in
+/// nothing.
+pub(super) fn body_of(bounds: &Aabb) -> Aabb {
+    let (center, half) = (bounds.center(), bounds.size() / 2.0);
+    let radius = half.x.max(half.z);
+    let half = half.with_x(radius).with_z(radius);
+    Aabb {
+        min: center - half,
+        max: center + half,
+    }
+}
+
+/// `bounds` elsewhere.
+pub(super) fn moved(bounds: &Aabb, by: Vec3) -> Aabb {
+    Aabb {
+        min: bounds.min + by,
+        max: bounds.max + by,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn boxed(low: [f32; 3], high: [f32; 3]) -> Aabb {
+        Aabb::from_points([low, high].map(Vec3::from))
+    }
+
+    fn way_among(own: &Aabb, there: &[Aabb], is_solid: bool) -> Vec3 {
+        let there = there.iter().map(|&bounds| Stander { bounds, is_solid });
+        super::way_out(own, &there.collect::<Vec<_>>(), Vec3::X)
+    }
+
+    fn way_out(own: &Aabb, there: &[Aabb]) -> Vec3 {
+        way_among(own, there, false)
+    }
+
+    #[test]
+    fn a_figure_does_not_stand_in_a_larger_one_but_sits_on_it() {
+        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
+        let giant = boxed([-5.0, 0.0, -5.0], [5.0, 20.0, 5.0]);
+        let way = way_among(&own, &[giant], true);
+        assert!((way.x - 5.6).abs() < 1e-5, "{way}");
+        let way = way_among(&giant, &[own], true);
+        assert!((way.x - 6.5).abs() < 1e-5, "{way}");
+        let lizard = boxed([-0.3, 0.6, -1.5], [0.3, 0.9, 1.5]);
+        let way = way_among(&lizard, &[own], true);
+        assert!((way.x - 0.86).abs() < 1e-5, "{way}");
+        let horse = boxed([-0.6, -1.5, -5.0], [0.6, 0.4, 5.0]);
+        assert_eq!(way_among(&own, &[horse], true), Vec3::ZERO);
+    }
+
+    #[test]
+    fn a_flat_curve_that_is_larger_than_a_figure_goes_past_it_and_one_overhead_stays() {
+        let figure = boxed([-0.5, 0.0, -0.2], [0.5, 2.0, 0.2]);
+        let curve = boxed([-5.0, 0.0, 0.0], [5.0, 20.0, 0.0]);
+        let way = way_among(&body_of(&curve), &[figure], true);
+        assert!((way.x - 6.5).abs() < 1e-5, "{way}");
+        let overhead = boxed([-1.0, 3.0, 0.0], [1.0, 4.0, 0.0]);
+        assert_eq!(way_among(&body_of(&overhead), &[figure], true), Vec3::ZERO);
+    }
+
+    #[test]
+    fn a_box_moves_past_all_that_it_would_stand_in_and_no_further() {
+        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
+        let beside = boxed([0.7, 0.0, -0.5], [1.7, 2.0, 0.5]);
+        assert_eq!(way_out(&own, &[beside]), Vec3::ZERO);
+        let way = way_out(&own, &[own, beside]);
+        assert!((way.x - 2.3).abs() < 1e-5 && way.y == 0.0, "{way}");
+        let far = boxed([9.0, 0.0, -0.5], [9.5, 2.0, 0.5]);
+        let way = way_out(&own, &[far, own]);
+        assert!((way.x - 1.1).abs() < 1e-5, "{way}");
+    }
+
+    #[test]
+    fn a_figure_in_a_room_and_a_lamp_in_a_hand_stay_there() {
+        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
+        let room = boxed([-5.0, 0.0, -5.0], [5.0, 3.0, 5.0]);
+        let lamp = boxed([0.3, 1.0, 0.2], [0.4, 1.2, 0.3]);
+        let floor = boxed([-5.0, 0.0, -5.0], [5.0, 0.0, 5.0]);
+        assert_eq!(way_out(&own, &[room, lamp, floor]), Vec3::ZERO);
+    }
+}
