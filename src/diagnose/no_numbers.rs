@@ -91,13 +91,17 @@ impl NoNumbers {
         found
     }
 
-    /// In words, of a file called `name`.
-    pub fn told(&self, name: &str) -> String {
-        let what = match self.vertices.len() {
+    /// How many they are, in words.
+    pub fn what(&self) -> String {
+        match self.vertices.len() {
             1 => "1 vertex is no number (nan or infinite)".to_owned(),
             all => format!("{all} vertices are no numbers (nan or infinite)"),
-        };
-        let first = self.first;
+        }
+    }
+
+    /// In words, of a file called `name`.
+    pub fn told(&self, name: &str) -> String {
+        let (what, first) = (self.what(), self.first);
         format!(
             "{name}:{first}: {what}, which counts as wrong: a division by zero, or a root of what is negative?"
         )

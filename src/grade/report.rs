@@ -186,7 +186,7 @@ impl GradedTest {
             return match hint {
                 None => word.to_owned(),
                 Some(hint) if self.outcome != Outcome::Unexplained => format!("{word}: {hint}"),
-                Some(hint) if hint.starts_with(NEARLY) => hint.clone(),
+                Some(hint) if hint.starts_with(NEARLY) || hint.starts_with(word) => hint.clone(),
                 Some(hint) => format!("{NEARLY}right: {hint}"),
             };
         };

@@ -167,6 +167,10 @@ impl Test {
                     let found = no_numbers.put_back_into(&found);
                     graded.text = found.to_string();
                     graded.error = rounded(found.error_from_exact);
+                    if graded.outcome == Outcome::Unexplained && graded.hint.is_none() {
+                        let what = no_numbers.what();
+                        graded.hint = Some(format!("{}: {what}", graded.outcome.word()));
+                    }
                 }
                 if graded.outcome != Outcome::Right {
                     let told = warnings.iter().take(TOLD);

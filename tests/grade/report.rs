@@ -611,10 +611,25 @@ fn a_mesh_that_is_right_but_for_few_vertices_says_for_how_many() {
         let text = obj(&theirs, figure, |number| number.to_string());
         class.write(&format!("class/{name}/{test}.obj"), text);
     }
+    // Where these are many, the table says what is wrong with them.
+    let right = obj(&with(&[]).skin(figure), figure, |number| number.to_string());
+    let none = right
+        .lines()
+        .enumerate()
+        .map(|(at, line)| match line.strip_prefix("v ") {
+            Some(_) if at < 300 => "v nan nan nan".to_owned(),
+            _ => line.to_owned(),
+        });
+    let none = none.collect::<Vec<_>>().join("\n");
+    class.write(&format!("class/cem/{test}.obj"), &none);
     let report = class.graded();
     let hint = |name| &result(&report, name, test)["hint"];
     assert_eq!(*hint("ann"), "all but 1 vertex");
     assert_eq!(*hint("bob"), "all but 5 vertices");
+    let ran = class.run("class --tests tests.json -o report");
+    let none = none.matches("v nan").count();
+    let told = format!("unexplained: {none} vertices are no numbers (nan or infinite)");
+    assert!(ran.out.contains(&told), "{}", ran.out);
 }
 
 #[test]

@@ -264,7 +264,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and uploads their vertices", &[]).also("cpu"),
     entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]).also("gpu"),
 
-    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select Tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]).also("pointer cursor arrow"),
+    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select Tool", "Click selects; drags move the camera, or select in a box in the Blender navigation", &[key(NONE, Key::V)]).also("pointer cursor arrow"),
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose Tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]).also("joints sliders rotate animate"),
     entry(Command::SetTool(Tool::Move), Menu::Tools, "Move Tool", "Left drag moves the shape under the pointer, or where bones show or it is selected, the root", &[key(NONE, Key::G), key(NONE, Key::W)]).also("translate grab position"),
     entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate Tool", "Rings turn the selected shape about its origin, several about the middle of theirs", &[key(NONE, Key::E)]).also("gizmo spin"),
