@@ -70,6 +70,8 @@ pub struct JointFormula {
     pub rotates_first: bool,
     /// Whether that is so at roots, also where it is not at other joints.
     pub roots_rotate_first: bool,
+    /// Whether roots are moved by the pose.
+    pub roots_are_moved: bool,
     /// Which offsets count in T.
     pub offsets: Offsets,
     /// Which offsets count in B.
@@ -157,6 +159,12 @@ pub enum Chain {
     ParentsOwn,
     /// parent · own, where what is handed down is without rotations.
     WithoutRotations,
+    /// The rotation of own · parent at the place of parent · own.
+    OwnParentRotation,
+    /// The rotation of own at the place of parent · own.
+    OwnRotation,
+    /// parent · own, where own's offset is not turned by the parent.
+    OffsetsNotTurned,
 }
 
 /// Joints after which the matrix stack is popped, so that the next one hangs on what it does in the file. A joint is
@@ -348,6 +356,7 @@ impl Default for Formula {
                 times: 1,
                 rotates_first: false,
                 roots_rotate_first: false,
+                roots_are_moved: true,
                 offsets: Offsets::All,
                 bind_offsets: Offsets::All,
                 has_pose: true,
@@ -360,6 +369,7 @@ impl Default for Formula {
                 rows: Rows::Exact,
                 rounded: Rounded::No,
                 is_normalized: false,
+                is_completed: false,
                 kept: Kept::All,
                 rescaled: Rescaled::No,
                 columns: Columns::Exact,

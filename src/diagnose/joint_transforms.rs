@@ -75,7 +75,9 @@ impl Joints {
             let mut rotation = DMat3::IDENTITY;
             if own.has_pose {
                 angles = angles_of(pose, joint);
-                moved = pose.root_offset(joint).as_dvec3();
+                if own.roots_are_moved {
+                    moved = pose.root_offset(joint).as_dvec3();
+                }
                 let all = before.iter().copied().chain([pose]);
                 rotation = all
                     .map(|pose| own.rotation(angles_of(pose, joint)))
@@ -222,6 +224,18 @@ impl Tree {
                 Chain::WithoutRotations => {
                     DAffine3::from_translation(model_from_parent.translation) * of_joint
                 }
+                Chain::OwnParentRotation => DAffine3 {
+                    matrix3: of_joint.matrix3 * model_from_parent.matrix3,
+                    ..model_from_parent * of_joint
+                },
+                Chain::OwnRotation => DAffine3 {
+                    matrix3: of_joint.matrix3,
+                    ..model_from_parent * of_joint
+                },
+                Chain::OffsetsNotTurned => DAffine3 {
+                    translation: model_from_parent.translation + of_joint.translation,
+                    ..model_from_parent * of_joint
+                },
             };
         }
         model_from_joint

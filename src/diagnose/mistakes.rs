@@ -367,13 +367,20 @@ pub static MISTAKES: &[Mistake] = &[
             }),
         ],
     },
-    one_way!(
-        "weights-normalized",
-        SSD,
-        "the weights of a vertex are divided by their sum",
-        "where weights are read or summed: they count as they are in the .attach file",
-        |formula| formula.weights.is_normalized = true
-    ),
+    Mistake {
+        id: "weights-normalized",
+        meaning: "the weights of a vertex are made to sum to 1",
+        section: SSD,
+        look_at: "where weights are read or summed: they count as they are in the .attach file",
+        readings: &[
+            reading("they are divided by their sum", |formula| {
+                formula.weights.is_normalized = true
+            }),
+            reading("the root is given what they lack", |formula| {
+                formula.weights.is_completed = true
+            }),
+        ],
+    },
     one_way!(
         "weights-doubled",
         SSD,

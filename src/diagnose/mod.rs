@@ -243,9 +243,16 @@ async fn diagnose_vertices(
         .filter_map(Explanation::without_w)
         .collect();
     explanations.extend(without_w);
-    if pose.is_bind() {
-        // Whatever leaves out weights gives the file's own mesh at rest. The simplest is that it is that.
-        explanations.sort_by_key(|explanation| explanation.ids() != [POSE_NOT_APPLIED]);
+    // Whatever leaves out weights gives the file's own mesh at rest, where that is asked for, and more does where a pose
+    // turns or moves little. The simplest is that it is that.
+    let at_rest = explanations
+        .iter()
+        .position(|it| it.ids() == [POSE_NOT_APPLIED]);
+    if let Some(at_rest) = at_rest
+        && (pose.is_bind()
+            || explanations[at_rest].error <= explanations[0].error + AS_GOOD_AS_NONE * size)
+    {
+        explanations[..=at_rest].rotate_right(1);
     }
     Ok(findings.explained(&explanations))
 }

@@ -261,9 +261,45 @@ static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
     meaning: "a joint follows the offsets of those above it, but not their rotations",
     section: SKELETON,
     look_at: "the recursion over the joints: what is pushed on the matrix stack has the joint's rotation, too",
+    readings: &[
+        reading("at all", |formula| formula.chain = Chain::WithoutRotations),
+        reading(
+            "but for its place, which the parent's own rotation turns",
+            |formula| formula.chain = Chain::OwnRotation,
+        ),
+    ],
+};
+
+/// One in how rotations are combined, such as quaternions, where places are not.
+static PARENT_ROTATION_ORDER: Mistake = Mistake {
+    id: "parent-rotation-order",
+    meaning: "a joint's rotation is own · parent instead of parent · own, while its place is right",
+    section: SKELETON,
+    look_at: "where a joint's rotation is combined with its parent's, such as two quaternions: the parent's stands on the \
+              left",
     readings: &[reading("", |formula| {
-        formula.chain = Chain::WithoutRotations
+        formula.chain = Chain::OwnParentRotation
     })],
+};
+
+/// One in where joints are.
+static OFFSET_NOT_TURNED: Mistake = Mistake {
+    id: "offset-not-turned",
+    meaning: "the offset of a joint from its parent does not turn with the parent",
+    section: SKELETON,
+    look_at: "where a joint's place follows from its parent's: the parent's rotation turns the offset before it is added",
+    readings: &[reading("", |formula| {
+        formula.chain = Chain::OffsetsNotTurned
+    })],
+};
+
+/// A mistake at roots alone, of poses that move them.
+static ROOT_NOT_MOVED: Mistake = Mistake {
+    id: "root-not-moved",
+    meaning: "a root is not moved by the offset that the pose has for it",
+    section: SLIDERS,
+    look_at: "where the pose comes to a root's transform: it has the file's offset and what the pose moves the root by",
+    readings: &[reading("", |formula| formula.joint.roots_are_moved = false)],
 };
 
 /// A mistake in what is inverted.
@@ -371,9 +407,10 @@ static WEIGHTS_ROUNDED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 19] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 22] = [
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
+    &ROOT_NOT_MOVED,
     &STACK_NOT_POPPED,
     &TRANSLATION_OVERWRITTEN,
     &ROOT_TRANSLATION_MISSING,
@@ -389,6 +426,8 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 19] = [
     &SMALL_WEIGHTS_LEFT_OUT,
     &ABOVE_PARENTS_MISSING,
     &PARENTS_ROTATIONS_MISSING,
+    &PARENT_ROTATION_ORDER,
+    &OFFSET_NOT_TURNED,
     &WRONG_INVERSE,
     &ROTATION_REPEATED,
 ];

@@ -165,6 +165,9 @@ impl<'a> Skinner<'a> {
     }
 }
 
+/// Index of the root, which comes first in a file.
+const ROOT: usize = 0;
+
 /// The weights of a vertex that count, in `kept`.
 pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize, f64)>) {
     kept.clear();
@@ -175,6 +178,9 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
     }));
     if formula.is_normalized {
         scale_to(1.0, kept);
+    }
+    if formula.is_completed {
+        kept.push((ROOT, 1.0 - sum(kept)));
     }
     let (count, sum_of_all) = (kept.len(), sum(kept));
     match formula.kept {

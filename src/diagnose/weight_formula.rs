@@ -9,6 +9,8 @@ pub struct WeightFormula {
     pub rounded: Rounded,
     /// Whether the weights are divided by their sum then.
     pub is_normalized: bool,
+    /// Whether the root is given what they lack to sum to 1.
+    pub is_completed: bool,
     /// Which of them are kept.
     pub kept: Kept,
     /// How those that are kept are changed.

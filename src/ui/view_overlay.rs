@@ -265,6 +265,9 @@ fn status(
         .and_then(|id| session.scene().shape(id))
         .map(|shape| (shape.id, format!("{} (ID: {})", shape.name, shape.id)));
     match over {
+        Some((_, name)) if state.pose.tool == Tool::Move => {
+            (Some(name), "Drag to move it · Ctrl snaps".into())
+        }
         Some((id, name)) if session.selected() != Some(id) => {
             (Some(name), navigation.over_a_shape(pointing).into())
         }

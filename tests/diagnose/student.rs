@@ -343,6 +343,12 @@ pub const WRONG: &[Wrong] = &[
         };
     }),
     wrong("weights-normalized", "weights", |s| s.weights = normalized),
+    wrong("weights-normalized", "weights", |s| {
+        s.weights = |mut w| {
+            w.push((0, 1.0 - sum(&w)));
+            w
+        };
+    }),
     wrong("weights-doubled", "sum", |s| s.sum = |sum| sum + sum),
     wrong("strongest-joint-only", "weights", |s| {
         s.weights = |w| {

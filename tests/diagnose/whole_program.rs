@@ -258,8 +258,57 @@ fn transforms_of_which_joints_get_only_a_part_from_those_above_are_named() {
         let above = figure.parents[joint].map_or(Mat4::IDENTITY, |parent| b[parent]);
         above * own[joint] * b[joint].inverse()
     });
-    assert_named(&found, "parents-rotations-missing", "");
+    assert_named(&found, "parents-rotations-missing", "at all");
     assert_eq!(found.mistakes[0].section, "3.2 Skeleton");
+}
+
+#[test]
+fn rotations_that_are_kept_beside_places_are_named_where_they_are_combined_wrongly() {
+    let figure = Figure::builtin("adult", turned(86));
+    let pose = figure.pose();
+    let joints = figure.character.skeleton().joints();
+    let b = figure.character.skeleton().bind_positions();
+    // A quaternion and a place for each joint, from those of its parent.
+    type Combine = fn((Quat, Vec3), Quat, Vec3) -> (Quat, Vec3);
+    let named = |combine: Combine| {
+        let mut world: Vec<(Quat, Vec3)> = Vec::new();
+        for (joint, described) in joints.iter().enumerate() {
+            let own = Quat::from_mat3(&pose.rotation(joint).to_mat3());
+            let combined = match described.parent {
+                Some(parent) => combine(world[parent], own, described.offset),
+                None => (own, described.offset),
+            };
+            world.push(combined);
+        }
+        moved_by(&figure, |joint| {
+            let (rotation, place) = world[joint];
+            Mat4::from_rotation_translation(rotation, place) * Mat4::from_translation(-b[joint])
+        })
+    };
+    let found = named(|(parent, at), own, offset| (own * parent, at + parent * offset));
+    assert_named(&found, "parent-rotation-order", "");
+    let found = named(|(parent, at), own, offset| (own, at + parent * offset));
+    let how = "but for its place, which the parent's own rotation turns";
+    assert_named(&found, "parents-rotations-missing", how);
+    let found = named(|(parent, at), own, offset| (parent * own, at + offset));
+    assert_named(&found, "offset-not-turned", "");
+    let right = named(|(parent, at), own, offset| (parent * own, at + parent * offset));
+    assert_eq!(right.verdict, Verdict::Right, "{right}");
+}
+
+#[test]
+fn a_root_that_is_not_moved_by_the_pose_is_named_and_a_mesh_at_rest_is_said_to_be_that_first() {
+    let mut figure = Figure::builtin("adult", turned(87));
+    figure.moved = Vec3::new(0.5, 0.25, -0.1);
+    let mut pose = figure.pose();
+    pose.set_root_offset(0, Vec3::ZERO);
+    let found = figure.diagnose(&figure.character.skin_pose(&pose));
+    assert_named(&found, "root-not-moved", "");
+    // Only a root is moved: whatever does without translations has the mesh at rest then.
+    let mut moved = Pose::new();
+    moved.set_root_offset(0, figure.moved);
+    let found = figure.diagnose_in(&moved, &figure.positions);
+    assert_eq!(found.mistakes[0].id, "pose-not-applied", "{found}");
 }
 
 #[test]

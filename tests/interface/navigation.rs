@@ -220,6 +220,8 @@ fn over_a_shape_the_status_line_names_the_button_that_turns() {
         editor.settle();
         let said = format!("Click to select it · {turns}");
         assert!(editor.has(&said), "{navigation}");
+        editor.click("Move Tool");
+        assert!(editor.has("Drag to move it · Ctrl snaps"), "{navigation}");
     }
 }
 

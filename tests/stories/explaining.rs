@@ -99,7 +99,7 @@ fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
 
 #[test]
 fn until_the_pose_changes_the_panel_says_that_its_numbers_follow() {
-    let says = "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
+    let says = "Drag a joint's numbers at the right, or its bone with the Pose tool, and watch these change.";
     let first =
         "Select the character, drag a joint's numbers at the right, and watch these change.";
     let mut story = bent();

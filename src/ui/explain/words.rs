@@ -176,7 +176,11 @@ fn chained(start: &'static str, parent: &'static str, chain: Chain, own: Vec<Par
         Chain::ParentOwn => parts.insert(0, part(parent, Mark::Same)),
         Chain::Own => parts.insert(0, part(parent, Mark::LeftOut)),
         Chain::OwnParent => parts.push(part(parent, Mark::Changed)),
-        Chain::ParentsOwn | Chain::WithoutRotations => {
+        Chain::ParentsOwn
+        | Chain::WithoutRotations
+        | Chain::OwnParentRotation
+        | Chain::OwnRotation
+        | Chain::OffsetsNotTurned => {
             parts.insert(0, part(parent, Mark::Changed));
         }
     }
