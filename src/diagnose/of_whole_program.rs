@@ -262,9 +262,11 @@ static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
     section: SKELETON,
     look_at: "the recursion over the joints: what is pushed on the matrix stack has the joint's rotation, too",
     readings: &[
-        reading("at all", |formula| formula.chain = Chain::WithoutRotations),
+        reading("neither in its place nor in its rotation", |formula| {
+            formula.chain = Chain::WithoutRotations
+        }),
         reading(
-            "but for its place, which the parent's own rotation turns",
+            "in its rotation, while the parent's own turns its place",
             |formula| formula.chain = Chain::OwnRotation,
         ),
     ],

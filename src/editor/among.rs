@@ -72,11 +72,11 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
 fn hide_a_figure(session: &Session, shapes: &[NewShape], eye: Vec3) -> bool {
     let alone = evaluated_alone(shapes);
     let scene = session.scene();
-    let is_solid = |shape: &&EvaluatedShape| {
+    let is_figure = |shape: &&EvaluatedShape| {
         let shape = scene.shape(shape.id);
         shape.is_some_and(|shape| shape.visible && shape.front().is_some())
     };
-    let mut figures = session.evaluated().shapes.iter().filter(is_solid);
+    let mut figures = session.evaluated().shapes.iter().filter(is_figure);
     figures.any(|figure| {
         let mut hiding = alone.shapes.iter();
         hiding.any(|shape| hiding::hides(shape, figure, eye))

@@ -5,7 +5,8 @@ use crate::io::{TestData, TestKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Of the explanations of each mesh, brings forward the one that most meshes of the submission have, and of those of each
-/// picture the one with mistakes that its meshes show, or else the one that most pictures have. `graded` has the results of `tests`, in their order.
+/// picture the one with mistakes that its meshes show, or else the one that most pictures have. `graded` has the results
+/// of `tests`, in their order.
 pub(super) fn settle(tests: &[TestData], graded: &mut [Graded]) {
     let all = tests.iter().zip(graded);
     let (meshes, pictures): (Vec<_>, Vec<_>) =

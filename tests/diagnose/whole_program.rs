@@ -258,7 +258,8 @@ fn transforms_of_which_joints_get_only_a_part_from_those_above_are_named() {
         let above = figure.parents[joint].map_or(Mat4::IDENTITY, |parent| b[parent]);
         above * own[joint] * b[joint].inverse()
     });
-    assert_named(&found, "parents-rotations-missing", "at all");
+    let how = "neither in its place nor in its rotation";
+    assert_named(&found, "parents-rotations-missing", how);
     assert_eq!(found.mistakes[0].section, "3.2 Skeleton");
 }
 
@@ -288,7 +289,7 @@ fn rotations_that_are_kept_beside_places_are_named_where_they_are_combined_wrong
     let found = named(|(parent, at), own, offset| (own * parent, at + parent * offset));
     assert_named(&found, "parent-rotation-order", "");
     let found = named(|(parent, at), own, offset| (own, at + parent * offset));
-    let how = "but for its place, which the parent's own rotation turns";
+    let how = "in its rotation, while the parent's own turns its place";
     assert_named(&found, "parents-rotations-missing", how);
     let found = named(|(parent, at), own, offset| (parent * own, at + offset));
     assert_named(&found, "offset-not-turned", "");
