@@ -125,11 +125,16 @@ impl<'a> Pair<'a> {
 
     /// The indices of the kept pixels along the border.
     fn border(&self) -> impl Iterator<Item = usize> {
+        self.ring(0)
+    }
+
+    /// The indices of the kept pixels along the border of what is left without so many rows and columns on each side.
+    fn ring(&self, inside: usize) -> impl Iterator<Item = usize> {
         let (width, height) = (self.width as usize, self.height as usize);
-        let rows = [0, height - 1].into_iter();
-        let columns = [0, width - 1].into_iter();
-        rows.flat_map(move |y| (0..width).map(move |x| y * width + x))
-            .chain(columns.flat_map(move |x| (0..height).map(move |y| y * width + x)))
+        let rows = [inside, height - 1 - inside].into_iter();
+        let columns = [inside, width - 1 - inside].into_iter();
+        rows.flat_map(move |y| (inside..width - inside).map(move |x| y * width + x))
+            .chain(columns.flat_map(move |x| (inside..height - inside).map(move |y| y * width + x)))
             .filter(|&index| self.kept[index])
     }
 
@@ -148,20 +153,31 @@ impl<'a> Pair<'a> {
         &self.kept
     }
 
-    /// The color that more than half of the kept pixels along the border have.
+    /// The color that more than half of the kept pixels along the border have. A thin frame, such as browsers draw around
+    /// what is on a page, is none.
     fn background_of(&self, pixels: &[Pixel]) -> Option<[u8; 3]> {
-        let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
-        let mut total = 0;
-        for index in self.border() {
-            let [r, g, b, _] = pixels[index];
-            *counts.entry([r, g, b]).or_default() += 1;
-            total += 1;
-        }
-        counts
-            .into_iter()
-            .find(|&(_, count)| 2 * count > total)
-            .map(|(color, _)| color)
+        let at_border = most_of(pixels, self.border())?;
+        let has_room = self.width.min(self.height) as usize > 4 * FRAME;
+        let is_frame = has_room && most_of(pixels, self.ring(FRAME)) != Some(at_border);
+        (!is_frame).then_some(at_border)
     }
+}
+
+/// Width of the widest frame, in pixels.
+const FRAME: usize = 3;
+
+/// The color that more than half of the pixels at `indices` have.
+fn most_of(pixels: &[Pixel], indices: impl Iterator<Item = usize>) -> Option<[u8; 3]> {
+    let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
+    let mut total = 0;
+    for index in indices {
+        let [r, g, b, _] = pixels[index];
+        *counts.entry([r, g, b]).or_default() += 1;
+        total += 1;
+    }
+    let mut counts = counts.into_iter();
+    let most = counts.find(|&(_, count)| 2 * count > total);
+    most.map(|(color, _)| color)
 }
 
 impl Pair<'_> {
@@ -366,6 +382,20 @@ mod tests {
             Pair::new(&half, &half, &[]).unwrap().backgrounds(),
             [None; 2]
         );
+        // A frame of one pixel around another color.
+        let gray: Vec<u8> = (0..20 * 20)
+            .map(|at| {
+                let (x, y) = (at % 20, at / 20);
+                if x == 0 || y == 0 || x == 19 || y == 19 {
+                    170
+                } else {
+                    9
+                }
+            })
+            .collect();
+        let in_frame = from_gray(20, &gray);
+        let pair = Pair::new(&in_frame, &in_frame, &[]).unwrap();
+        assert_eq!(pair.backgrounds(), [None; 2]);
         let ignoring = Pair::new(&half, &half, &["0,1,2,1".parse().unwrap()]).unwrap();
         assert_eq!(ignoring.backgrounds()[0], Some([1; 3]));
     }

@@ -4,7 +4,7 @@ use super::diagnosis::{ToldMistake, Verdict, all_causes};
 use super::diagnosis_words::{fmt_mistakes, fmt_where, together};
 use super::mistakes::MISTAKES;
 use super::model::Model;
-use super::picture_search::PictureSearch;
+use super::picture_search::{Closeness, PictureSearch};
 use super::search::Explanation;
 use super::silhouette::{DRAWN, drawn_border};
 use crate::character::{Character, Pose};
@@ -79,19 +79,27 @@ pub fn diagnose_picture(
     clip_from_model: Mat4,
 ) -> Result<PictureDiagnosis, PictureError> {
     let model = Model::new(character);
-    let of_noise = |noise| {
+    let looked = |at| {
         let clip_from_model = clip_from_model.as_dmat4();
-        let search = PictureSearch::new(&model, pose, picture, clip_from_model, noise)?;
+        let search = PictureSearch::new(&model, pose, picture, clip_from_model, at)?;
         Some(found(&search, drawn_border(picture)))
     };
     let is_open = |found: &PictureDiagnosis| found.verdict == Verdict::Unexplained;
-    let found = of_noise(DRAWN);
-    if found.as_ref().is_none_or(is_open) {
-        // Parts may have nearly the color of the background.
-        let exact = of_noise(EXACTLY).filter(|exact| found.is_none() || !is_open(exact));
-        return exact.or(found).ok_or(PictureError::Blank);
+    // Of a small figure limbs are lines as seen from afar, and lines beside it are limbs from near. Parts may have nearly
+    // the color of the background.
+    let near = looked((DRAWN, Closeness::Figure));
+    if let Some(near) = near.filter(|near| !is_open(near)) {
+        return Ok(near);
     }
-    found.ok_or(PictureError::Blank)
+    let found = looked((DRAWN, Closeness::Picture));
+    if let Some(found) = found.as_ref().filter(|found| !is_open(found)) {
+        return Ok(found.clone());
+    }
+    let mut exact = [Closeness::Figure, Closeness::Picture].into_iter();
+    let exact = exact.find_map(|closeness| {
+        looked((EXACTLY, closeness)).filter(|exact| found.is_none() || !is_open(exact))
+    });
+    exact.or(found).ok_or(PictureError::Blank)
 }
 
 /// What a search for one picture finds, of whose border this share is drawn.
@@ -145,7 +153,8 @@ pub fn has_silhouette(
     let model = Model::new(character);
     [DRAWN, EXACTLY].into_iter().any(|noise| {
         let clip_from_model = clip_from_model.as_dmat4();
-        let search = PictureSearch::new(&model, pose, picture, clip_from_model, noise);
+        let at = (noise, Closeness::Figure);
+        let search = PictureSearch::new(&model, pose, picture, clip_from_model, at);
         search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
     })
 }

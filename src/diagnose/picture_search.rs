@@ -13,8 +13,10 @@ use glam::{DMat4, DVec3};
 const SPREAD: usize = 256;
 /// Part of them that may lie beside what is drawn: parts may be too small or too dark to be found there.
 const BESIDE: f64 = 0.05;
-/// Pictures are looked at in no more columns and rows than this, …
+/// Pictures, or the figures in them, are looked at in no more columns and rows than this, …
 const FINE: u32 = 400;
+/// Samples of a picture of a small figure, at most.
+const MOST_SAMPLES: u64 = 1 << 20;
 /// … and in no more than this to see which mistakes may fit.
 const COARSE: u32 = 100;
 /// Part of the coarse silhouette that may be off where mistakes may fit: at that size, limbs are as wide
@@ -24,6 +26,15 @@ const MAY_FIT: f64 = 0.05;
 const SCATTERED: f64 = 0.005;
 /// Area of a coarse silhouette, in samples, below which it says nothing: what may be off is one sample.
 const TELLING: f64 = 1.0 / MAY_FIT;
+
+/// What is looked at closely.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Closeness {
+    /// The figure: of a small one limbs are seen, and so are lines that are drawn beside it.
+    Figure,
+    /// The picture.
+    Picture,
+}
 
 /// A picture, and what it is held against.
 #[derive(Debug)]
@@ -62,11 +73,11 @@ impl<'a> PictureSearch<'a> {
         pose: &'a Pose,
         picture: &Picture,
         clip_from_model: DMat4,
-        noise: u8,
+        (noise, closeness): (u8, Closeness),
     ) -> Option<Self> {
         let points = points(&mut Skinner::new(model, pose, &Formula::default()));
-        let seen = |most| {
-            let samples = Samples::new(picture.width, picture.height, most);
+        let of_picture = |most| Samples::new(picture.width, picture.height, most);
+        let seen = |samples: Samples| {
             let theirs = Silhouette::of_picture(picture, samples, noise);
             let exact = Silhouette::of_mesh(&points, model.triangles(), clip_from_model, samples);
             let area = theirs.area_with(&exact) as f64;
@@ -77,11 +88,20 @@ impl<'a> PictureSearch<'a> {
             };
             (seen, exact)
         };
-        let (fine, exact) = seen(FINE);
+        let all = of_picture(FINE);
+        let (fine, exact) = seen(match closeness {
+            Closeness::Picture => all,
+            Closeness::Figure => {
+                let pixels = u64::from(picture.width) * u64::from(picture.height);
+                let least = (pixels.div_ceil(MOST_SAMPLES) as f64).sqrt().ceil() as u32;
+                let extent = all.extent(&points, clip_from_model);
+                all.with_step(extent.div_ceil(FINE).max(least))
+            }
+        });
         if fine.theirs.is_blank() {
             return None;
         }
-        let (coarse, _) = seen(COARSE);
+        let (coarse, _) = seen(of_picture(COARSE));
         let corners = model.triangles().as_flattened().iter();
         let mut vertices: Vec<usize> = corners.map(|&corner| corner as usize).collect();
         vertices.sort_unstable();

@@ -5,7 +5,7 @@ use super::formula::{Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
 use super::mistakes::{MISTAKES, Mistake, Reading, reading};
 use super::model::Model;
-use super::of_whole_program::OF_WHOLE_PROGRAM;
+use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::skin::{Placed, Skinner};
 use crate::character::Pose;
 use crate::steps::Pace;
@@ -307,10 +307,18 @@ pub(super) fn ways_of_whole_program() -> impl Iterator<Item = Made> {
     })
 }
 
-/// Every two ways of which one is that of a mistake that is sought alone first, with the formula that has both.
+/// Every two ways of which one is that of a mistake that is sought alone first, with the formula that has both. Of two
+/// such, one is that a root is not moved, which programs often do last.
 fn pairs_with_whole_program() -> impl Iterator<Item = (Made, Made, Formula)> {
     let firsts = ways_of_whole_program();
-    firsts.flat_map(|first| ways().filter_map(move |second| made_together(first, second)))
+    let usual =
+        firsts.flat_map(|first| ways().filter_map(move |second| made_together(first, second)));
+    let unmoved = ways_of_whole_program().find(|made| std::ptr::eq(made.mistake, &ROOT_NOT_MOVED));
+    let beside = unmoved.into_iter().flat_map(|unmoved| {
+        let others = ways_of_whole_program();
+        others.filter_map(move |other| made_together(other, unmoved))
+    });
+    usual.chain(beside)
 }
 
 /// The exact formula with mistakes, made in this order.

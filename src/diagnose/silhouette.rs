@@ -34,6 +34,33 @@ impl Samples {
         }
     }
 
+    /// The same picture with this many pixels from one sample to the next, if that is fewer.
+    pub(super) fn with_step(self, step: u32) -> Self {
+        let [width, height] = self.picture;
+        let step = step.clamp(1, self.step);
+        Self {
+            step,
+            columns: (width / step) as usize,
+            rows: (height / step) as usize,
+            ..self
+        }
+    }
+
+    /// Width or height in pixels, whichever is more, of what `points` take up in the picture.
+    pub(super) fn extent(&self, points: &[DVec3], clip_from_model: DMat4) -> u32 {
+        let size = DVec2::from_array(self.picture.map(f64::from));
+        let (mut low, mut high) = (size, DVec2::ZERO);
+        for point in points {
+            let clip = clip_from_model * point.extend(1.0);
+            if clip.w > NEAREST && clip.is_finite() {
+                let pixel = self.sample_of(clip) * f64::from(self.step);
+                let pixel = pixel.clamp(DVec2::ZERO, size);
+                (low, high) = (low.min(pixel), high.max(pixel));
+            }
+        }
+        (high - low).max_element().max(1.0).ceil() as u32
+    }
+
     fn count(&self) -> usize {
         self.columns * self.rows
     }

@@ -305,6 +305,29 @@ fn a_root_that_is_not_moved_by_the_pose_is_named_and_a_mesh_at_rest_is_said_to_b
     pose.set_root_offset(0, Vec3::ZERO);
     let found = figure.diagnose(&figure.character.skin_pose(&pose));
     assert_named(&found, "root-not-moved", "");
+    // Beside another one that is sought alone first.
+    let [own, own_at_rest] = own_transforms(&figure);
+    let parents = &figure.parents;
+    let mut offsets: Vec<Mat4> = Vec::new();
+    let mut world: Vec<Mat4> = Vec::new();
+    let rotation_of = |joint: usize| Mat4::from_mat3(pose.rotation(joint).to_mat3());
+    for joint in 0..own.len() {
+        let place = own_at_rest[joint];
+        let (offset, turned) = match parents[joint] {
+            Some(parent) => (offsets[parent] * place, world[parent] * rotation_of(joint)),
+            None => (place, rotation_of(joint)),
+        };
+        offsets.push(offset);
+        world.push(turned);
+    }
+    let found = moved_by(&figure, |joint| {
+        offsets[joint] * world[joint] * offsets[joint].inverse()
+    });
+    assert_eq!(
+        found.together(),
+        ["offset-not-turned", "root-not-moved"],
+        "{found}"
+    );
     // Only a root is moved: whatever does without translations has the mesh at rest then.
     let mut moved = Pose::new();
     moved.set_root_offset(0, figure.moved);
