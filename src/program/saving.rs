@@ -2,10 +2,11 @@
 
 use super::document::Next;
 use super::document_file::Writing;
+use super::files::file_name;
 use super::questions::Asked;
 use super::running::Program;
 use super::{Host, Previous, Purpose};
-use crate::editor::Edit;
+use crate::editor::{Edit, Severity};
 use crate::io::{self, Diagnostic, Files};
 use crate::scene::{ShapeId, Source, ViewSettings};
 use std::path::{Path, PathBuf};
@@ -121,6 +122,15 @@ impl Program {
         if let Some((_, digests)) = self.exporting.take_if(|(exported, _)| exported == path)
             && is_saved
         {
+            let pose = path.with_extension("json");
+            if pose != path && digests.contains_key(&pose) {
+                // A character is opened at rest, as its files have it.
+                let text = format!(
+                    "Its pose is in {}: Pose ⏵ Load Pose… gives it to the character again",
+                    file_name(&pose)
+                );
+                self.tell(Severity::Info, text);
+            }
             self.exported.extend(digests);
         }
         let is_document = |writing: &mut Writing| writing.path == path;

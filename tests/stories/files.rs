@@ -242,6 +242,11 @@ fn a_character_is_exported_in_the_courses_format_with_its_pose_and_opens_again()
         let path = Path::new("out").join(name);
         assert!(story.host.files.contains_key(&path), "{name}");
     }
+    let told = story.messages().last().unwrap().1;
+    assert!(
+        told.starts_with("Its pose is in mine.json: Pose ⏵ Load Pose…"),
+        "{told}"
+    );
     story.host.drop_file("out/mine.obj");
     story.settle();
     story.host.drop_file("out/mine.json");
