@@ -113,7 +113,7 @@ fn another_pose_counts_as_a_slip_in_joints_only_if_more_than_half_of_it_is_as_as
     submit_in(&class, "quarter", at_rest_from(all / 4));
     submit_in(&class, "most", at_rest_from(all * 3 / 4));
     submit_in(&class, "one", at_rest_from(4));
-    submit_in(&class, "other", |joint| other(joint));
+    submit_in(&class, "other", other);
     submit_in(&class, "whole degrees", |joint| {
         asked[joint] + Vec3::splat(0.5)
     });
