@@ -145,7 +145,7 @@ fn lines_that_are_no_axes_are_not_called_so() {
     let dashes = AXES[..2].iter().flat_map(|&([x, y], [u, v], color)| {
         let [along_x, along_y] = [u - x, v - y];
         let at = move |part: f32| [x + part * along_x, y + part * along_y];
-        [0.0, 0.3, 0.6, 0.9].map(|part| (at(part), at(part + 0.1), color))
+        [0.0, 0.3, 0.6, 0.9].map(|part| (at(part), at(part + 0.08), color))
     });
     let dashes: Vec<Line> = dashes.collect();
     assert!(!found(&dashes));

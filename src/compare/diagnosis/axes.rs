@@ -17,7 +17,7 @@ const LEAST_RUN: usize = 8;
 const LEAST_LENGTH: usize = 16;
 /// Part of the length of an axis, from the first of its pixels to the last, of which none is missing: what lies in a line
 /// by chance has more gaps.
-const WHOLE: f32 = 0.5;
+const WHOLE: f32 = 0.4;
 /// Most pixels that an axis may have, by the width and height of the picture: more are no thin line.
 const MOST_OF_SIDES: u64 = 4;
 /// Sine of the angle at which two of the axes cross in a picture, at least.
