@@ -153,8 +153,10 @@ pub fn has_silhouette(
     let model = Model::new(character);
     [DRAWN, EXACTLY].into_iter().any(|noise| {
         let clip_from_model = clip_from_model.as_dmat4();
-        let at = (noise, Closeness::Figure);
-        let search = PictureSearch::new(&model, pose, picture, clip_from_model, at);
+        let mut closest = [Closeness::Figure, Closeness::Picture].into_iter();
+        let search = closest.find_map(|closeness| {
+            PictureSearch::new(&model, pose, picture, clip_from_model, (noise, closeness))
+        });
         search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
     })
 }

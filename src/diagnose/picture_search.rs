@@ -13,12 +13,14 @@ use glam::{DMat4, DVec3};
 const SPREAD: usize = 256;
 /// Part of them that may lie beside what is drawn: parts may be too small or too dark to be found there.
 const BESIDE: f64 = 0.05;
-/// Pictures, or the figures in them, are looked at in no more columns and rows than this, …
+/// Pictures are looked at in no more columns and rows than this, …
 const FINE: u32 = 400;
-/// Samples of a picture of a small figure, at most.
-const MOST_SAMPLES: u64 = 1 << 20;
 /// … and in no more than this to see which mistakes may fit.
 const COARSE: u32 = 100;
+/// Columns and rows in which small figures are looked at: in fewer, their limbs would be as thin as lines.
+const OF_FIGURE: u32 = 200;
+/// Samples of a picture of a small figure, at most.
+const MOST_SAMPLES: u64 = 1 << 20;
 /// Part of the coarse silhouette that may be off where mistakes may fit: at that size, limbs are as wide
 /// as what counts as a line.
 const MAY_FIT: f64 = 0.05;
@@ -67,7 +69,8 @@ struct Seen {
 
 impl<'a> PictureSearch<'a> {
     /// A search for what gives `picture`, which shows the model with `clip_from_model`, where what differs from the
-    /// background by more than `noise` is drawn; `None` if nothing is.
+    /// background by more than `noise` is drawn; `None` if nothing is, and where the figure is so large that it is looked at
+    /// no more closely than the picture.
     pub(super) fn new(
         model: &'a Model<'a>,
         pose: &'a Pose,
@@ -95,7 +98,8 @@ impl<'a> PictureSearch<'a> {
                 let pixels = u64::from(picture.width) * u64::from(picture.height);
                 let least = (pixels.div_ceil(MOST_SAMPLES) as f64).sqrt().ceil() as u32;
                 let extent = all.extent(&points, clip_from_model);
-                all.with_step(extent.div_ceil(FINE).max(least))
+                let closer = all.with_step(extent.div_ceil(OF_FIGURE).max(least));
+                Some(closer).filter(|closer| closer.step < all.step)?
             }
         });
         if fine.theirs.is_blank() {

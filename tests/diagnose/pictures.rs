@@ -118,6 +118,16 @@ fn a_figure_with_nearly_the_color_of_the_background_is_found_where_the_picture_i
 }
 
 #[test]
+fn limbs_of_a_figure_that_is_small_in_its_picture_are_seen() {
+    let figure = Figure::builtin("adult", turned(43));
+    for id in ["euler-yxz", "euler-zyx"] {
+        let folder = folder(&figure, &[id]);
+        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,8", "");
+        assert_eq!(found["causes"][0], id, "{found}");
+    }
+}
+
+#[test]
 fn a_floor_is_told_from_a_mistake() {
     let folder = folder(&Figure::builtin("adult", turned(41)), &[]);
     let line = format!("render theirs.obj {FRONT} --look mannequin -o a.png");
