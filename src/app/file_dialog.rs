@@ -1,12 +1,12 @@
 use super::dialog_files::DialogFiles;
 use super::typed_name::{full_path, trimmed};
-use super::typed_path::TypedPath;
+use super::typed_path::{TypedPath, text};
 use crate::disk::Disk;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Context, Event, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextEdit,
+    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextEdit,
     TextStyle, Vec2, pos2, vec2,
 };
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
@@ -192,10 +192,7 @@ impl OpenDialog {
         let Some(name) = self.name_field.filter(|_| is_saved && !self.asks) else {
             return;
         };
-        let types = context.input(|input| {
-            let is_text = |event: &Event| matches!(event, Event::Text(_) | Event::Paste(_));
-            input.events.iter().any(is_text)
-        });
+        let types = context.input(|input| input.events.iter().any(|event| text(event).is_some()));
         if types && context.memory(|memory| memory.focused()).is_none() {
             context.memory_mut(|memory| memory.request_focus(name));
             select_all(context, name);

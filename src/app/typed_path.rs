@@ -89,7 +89,7 @@ impl TypedPath {
 }
 
 /// What an event types.
-fn text(event: &Event) -> Option<&str> {
+pub(super) fn text(event: &Event) -> Option<&str> {
     match event {
         Event::Text(text) | Event::Paste(text) => Some(text),
         _ => None,

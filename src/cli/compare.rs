@@ -11,8 +11,8 @@ use crate::disk::{self, as_given, files};
 use crate::geometry::{Mesh, Picture};
 use crate::io::image;
 use crate::io::{
-    Diagnostic, Files, builtin, extension, import_any, in_utf8, is_character, read_character_obj,
-    read_posed_obj, read_posed_vertices,
+    Diagnostic, Files, builtin, extension, has_vertices_alone, import_any, is_character,
+    read_character_obj, read_posed_vertices,
 };
 use crate::scene::ShapeKind;
 use serde::Serialize;
@@ -262,14 +262,6 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         print(&how_to_diagnose(args, what, model))?;
     }
     done
-}
-
-/// Whether a mesh has vertices, and lacks nothing but faces.
-fn has_vertices_alone(path: &Path, bytes: &[u8]) -> bool {
-    let text = in_utf8(bytes);
-    let lines = text.split(|byte| *byte == b'\n');
-    let vertices = lines.filter(|line| line.starts_with(b"v ")).count();
-    read_posed_obj(path, bytes, vertices).is_ok_and(|read| read.value.triangles.is_empty())
 }
 
 /// The command that finds mistakes in skinning, which no comparison can, if B is `what`: of the character `model`, if that

@@ -79,27 +79,28 @@ pub fn diagnose_picture(
     clip_from_model: Mat4,
 ) -> Result<PictureDiagnosis, PictureError> {
     let model = Model::new(character);
-    let looked = |at| {
-        let clip_from_model = clip_from_model.as_dmat4();
-        let search = PictureSearch::new(&model, pose, picture, clip_from_model, at)?;
-        Some(found(&search, drawn_border(picture)))
-    };
-    let is_open = |found: &PictureDiagnosis| found.verdict == Verdict::Unexplained;
+    let clip_from_model = clip_from_model.as_dmat4();
+    let drawn_border = drawn_border(picture);
+    let mut unexplained = None;
     // Of a small figure limbs are lines as seen from afar, and lines beside it are limbs from near. Parts may have nearly
     // the color of the background.
-    let near = looked((DRAWN, Closeness::Figure));
-    if let Some(near) = near.filter(|near| !is_open(near)) {
-        return Ok(near);
+    for noise in [DRAWN, EXACTLY] {
+        for closeness in [Closeness::Figure, Closeness::Picture] {
+            let at = (noise, closeness);
+            let search = PictureSearch::new(&model, pose, picture, clip_from_model, at);
+            let Some(found) = search.map(|search| found(&search, drawn_border)) else {
+                continue;
+            };
+            if found.verdict != Verdict::Unexplained {
+                return Ok(found);
+            }
+            // What is told is not about lines beside a small figure.
+            if at != (DRAWN, Closeness::Figure) {
+                unexplained.get_or_insert(found);
+            }
+        }
     }
-    let found = looked((DRAWN, Closeness::Picture));
-    if let Some(found) = found.as_ref().filter(|found| !is_open(found)) {
-        return Ok(found.clone());
-    }
-    let mut exact = [Closeness::Figure, Closeness::Picture].into_iter();
-    let exact = exact.find_map(|closeness| {
-        looked((EXACTLY, closeness)).filter(|exact| found.is_none() || !is_open(exact))
-    });
-    exact.or(found).ok_or(PictureError::Blank)
+    unexplained.ok_or(PictureError::Blank)
 }
 
 /// What a search for one picture finds, of whose border this share is drawn.
@@ -277,7 +278,8 @@ impl fmt::Display for PictureDiagnosis {
     }
 }
 
-/// Share of a picture's border beyond which there is more before the background than a figure.
+/// Share of a picture's border beyond which there is more before the background than a figure: one that the border cuts
+/// off covers less of it.
 const FLOOR: f64 = 0.15;
 /// Share of the silhouette beyond which it is hardly the figure alone that is off.
 const MUCH: f64 = 0.3;

@@ -181,7 +181,7 @@ pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
     }
     let is_below = |other: &Stander| {
         let middle = bounds.center().with_y(other.bounds.center().y);
-        other.bounds.min.cmple(middle).all() && other.bounds.max.cmpge(middle).all()
+        other.bounds.contains(middle)
     };
     let down = ground_of_characters(session).map_or(0.0, |ground| ground - own);
     if down.is_finite() && -down > off_the_ground && !others.iter().any(is_below) {

@@ -1,8 +1,9 @@
 //! One test: a character in a pose, and what a file of it is.
 
+mod other_tests;
+
 use super::found::{explanations, hint, nearly, outcome};
 use super::graded::{Graded, Outcome, rounded};
-use super::kept::{self, Posed};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
@@ -188,39 +189,6 @@ impl Test {
         }
     }
 
-    /// Whether a mesh has the vertices of the exact result of this test, of which the files may be pictures.
-    fn is_right(&self, theirs: &Mesh) -> bool {
-        measure(&self.character, &self.exact, &theirs.positions)
-            .is_some_and(|measure| measure.off == 0)
-    }
-
-    /// Whether a mesh is this character in the pose of `other`, which has another character with joints of the same names:
-    /// a program may always pose by the same file.
-    fn is_in_pose_of(&self, other: &Self, theirs: &Mesh) -> bool {
-        if other.data.character.path == self.data.character.path {
-            return false;
-        }
-        let [own, others] = [self, other].map(|test| test.character.skeleton().joints());
-        let mut pose = Pose::new();
-        for (joint, described) in others.iter().enumerate() {
-            if !other.pose.is_changed(joint) {
-                continue;
-            }
-            let mut names = own.iter().map(|joint| &joint.name);
-            let Some(named) = names.position(|name| *name == described.name) else {
-                return false;
-            };
-            pose.set_joint_transform(named, other.pose.rotation(joint));
-            pose.set_root_offset(named, other.pose.root_offset(joint));
-        }
-        measure(
-            &self.character,
-            &self.character.skin_pose(&pose),
-            &theirs.positions,
-        )
-        .is_some_and(|measure| measure.off == 0)
-    }
-
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
         let is_right = found.is_right();
         let measure = measure(&self.character, &self.exact, &theirs.positions);
@@ -331,42 +299,6 @@ impl Test {
                 }
             }
             _ => graded,
-        }
-    }
-
-    /// Another one of `tests` that the file `is_of`, if there is one.
-    fn other_of<'a>(&self, tests: &'a [Self], is_of: impl Fn(&Self) -> bool) -> Option<&'a Self> {
-        let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
-        others.find(|test| is_of(test))
-    }
-
-    fn posed(&self) -> Posed<'_> {
-        Posed {
-            name: &self.data.name,
-            pose: &self.pose,
-            places: &self.exact,
-        }
-    }
-
-    /// `found`, or that something of others of `tests` was kept, if that gives `theirs`.
-    fn or_of_kept(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
-        let path = &self.data.character.path;
-        let of_character = |test: &&Self| test.data.character.path == *path;
-        let (before, after) = match tests
-            .iter()
-            .position(|test| test.data.name == self.data.name)
-        {
-            Some(own) => (&tests[..own], &tests[own + 1..]),
-            None => (tests, &[][..]),
-        };
-        let [before, after] = [before, after].map(|tests| {
-            let tests = tests.iter().filter(of_character);
-            tests.map(Self::posed).collect::<Vec<_>>()
-        });
-        let own = self.posed();
-        match kept::find(&self.character, &own, theirs, &before, &after) {
-            Some((mistakes, error)) => found.explained_by(mistakes, error),
-            None => found,
         }
     }
 

@@ -66,7 +66,9 @@ pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;
 pub use loaded::Loaded;
 pub use missed_files::missed_files;
-pub use obj::{read_character_obj, read_posed_obj, read_posed_vertices, take_faces_of};
+pub use obj::{
+    has_vertices_alone, read_character_obj, read_posed_obj, read_posed_vertices, take_faces_of,
+};
 pub use pose_collection::pose_of_several;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;

@@ -50,6 +50,22 @@ pub fn read_posed_vertices(
     Ok(read)
 }
 
+/// Whether the mesh in a file has vertices, and lacks nothing but faces.
+pub fn has_vertices_alone(path: &Path, bytes: &[u8]) -> bool {
+    let bytes = in_utf8(bytes);
+    let Ok(mut scanner) = Scanner::new(path, &bytes) else {
+        return false;
+    };
+    let (mut positions, mut faces) = (Vec::new(), FaceReader::default());
+    loop {
+        match read_lines(&mut scanner, &mut positions, &mut faces) {
+            Ok(true) => {}
+            Ok(false) => return !positions.is_empty() && faces.face_count() == 0,
+            Err(_) => return false,
+        }
+    }
+}
+
 /// Gives a mesh that was read from `path` without faces those of `model`, and says so in a warning.
 pub fn take_faces_of(model: &Mesh, path: &Path, read: &mut Mesh) -> Option<Diagnostic> {
     if !read.triangles.is_empty() {

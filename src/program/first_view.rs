@@ -140,9 +140,10 @@ impl Program {
         put_on_ground(&self.session, shapes);
         // Set around the eye, it would be all that is seen.
         self.fit_due |= before != place(shapes) && bounds_of(shapes).contains(camera.eye());
-        if let (true, Some(first)) = (is_beside, shapes.first()) {
+        if let (true, Some(first), Some(before)) = (is_beside, shapes.first(), before) {
+            let [x, y, z] = before.to_array();
             let text = format!(
-                "{} is set beside the character that it would hide. Position 0, 0, 0 has it where its file does",
+                "{} is set beside the character that it would hide. Position {x}, {y}, {z} has it where its file does",
                 first.name
             );
             self.tell(Severity::Info, text);

@@ -129,7 +129,11 @@ const NO_EDIT_MODE: &str = "There is no Edit Mode: J or Ctrl+Tab poses. Shift+Ta
 
 /// Says so where Tab is pressed with the pointer over the view in the Blender navigation, as it would be there to edit, and
 /// has it lead nowhere: whoever does not see that the menus have the keyboard goes on with the wrong keys.
-pub(super) fn tab_over_the_view(ctx: &egui::Context, state: &UiState) -> Option<Action> {
+pub(super) fn tab_over_the_view(
+    ctx: &egui::Context,
+    session: &Session,
+    state: &UiState,
+) -> Option<Action> {
     let is_pressed = ctx.input(|input| {
         let is_over = |at| state.view_rect.contains(at);
         input.pointer.latest_pos().is_some_and(is_over)
@@ -141,7 +145,7 @@ pub(super) fn tab_over_the_view(ctx: &egui::Context, state: &UiState) -> Option<
         return None;
     }
     ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
-    Some(Action::View(View::Tell(NO_EDIT_MODE)))
+    tell_once(NO_EDIT_MODE, session)
 }
 
 /// Seconds for which an axis and a number that follow a refused G, R or S are taken for its own.

@@ -217,7 +217,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
     if !keys_taken {
         posing::roll_by_keys(&ctx, session, state, &mut actions);
-        actions.extend(key_commands::tab_over_the_view(&ctx, state));
+        actions.extend(key_commands::tab_over_the_view(&ctx, session, state));
     }
     let last_view = state.view_rect;
     if !input.is_viewer {

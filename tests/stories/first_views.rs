@@ -234,49 +234,36 @@ fn a_character_is_set_beside_a_shape_that_would_hide_it_and_into_an_open_one() {
 
 #[test]
 fn a_character_that_its_file_has_in_the_air_beside_others_stands_on_their_ground() {
-    let lifted = |path: &str, by: f32| {
-        let text = if path.ends_with("obj") {
-            LARGE[0].1
-        } else {
-            LARGE[1].1
-        };
-        let mut lines = text.lines().map(str::to_owned).collect::<Vec<_>>();
-        if path.ends_with("obj") {
-            for line in lines.iter_mut().filter(|line| line.starts_with('v')) {
-                let numbers: Vec<f32> = line[2..]
-                    .split(' ')
-                    .map(|word| word.parse().unwrap())
-                    .collect();
-                *line = format!("v {} {} {}", numbers[0], numbers[1] + by, numbers[2]);
-            }
-        } else {
-            lines[0] = format!("0 {by} 0 -1 # Root");
-        }
-        lines.join("\n").into_bytes()
-    };
-    let lowest =
-        |story: &Story, at: usize| story.session().evaluated().shapes[at].world_bounds().min.y;
+    /// [`LARGE`], 25 higher.
+    const UP: [(&str, &str); 3] = [
+        (
+            "models/up.obj",
+            "v -2 25 0\nv 2 25 0\nv 2 45 0\nv -2 45 0\nf 1 2 3\nf 1 3 4\n",
+        ),
+        (
+            "models/up.skel",
+            "0 25 0 -1 # Root\n-2 5 0 0 # Hand.L\n2 5 0 0 # Hand.R\n",
+        ),
+        ("models/up.attach", LARGE[2].1),
+    ];
     for (at_x, is_let_down) in [(40.0, true), (0.0, false)] {
         let mut host = host();
-        for (name, extension) in [("models/up.obj", "obj"), ("models/up.skel", "skel")] {
-            host.files.insert(name.into(), lifted(extension, 25.0));
-        }
-        host.files
-            .insert("models/up.attach".into(), LARGE[2].1.into());
+        let up = UP.map(|(path, text)| (path.into(), text.into()));
+        host.files.extend(up);
         let mut story = Story::start_at(host, &["models/large.obj"]);
         story.key(Key::F3);
-        let id = story.session().scene().shapes()[0].id;
+        let id = story.shape().id;
         let mut transform = story.shape().placement.transform;
         transform.position.x = at_x;
         let edit = Edit::SetTransform(id, transform);
         story.program.session_mut().edit(edit).expect("a place");
         story.settle();
-        let ground = lowest(&story, 0);
         story.import("models/up.obj");
-        let above = lowest(&story, 1) - ground;
-        assert_eq!(above.abs() < 1e-3, is_let_down, "{above}");
+        let lowest = |at: usize| story.session().evaluated().shapes[at].world_bounds().min.y;
+        let above = lowest(1) - lowest(0);
         // What is above another stays there, as a rider does.
-        assert!(is_let_down || (above - 25.0).abs() < 1e-3, "{above}");
+        let expected = if is_let_down { 0.0 } else { 25.0 };
+        assert!((above - expected).abs() < 1e-3, "{above}");
     }
 }
 

@@ -15,8 +15,8 @@ const HALF_WIDTH: i32 = 2;
 /// Fewest pixels along a line that go on without a gap, and fewest of all of them: others are chance.
 const LEAST_RUN: usize = 8;
 const LEAST_LENGTH: usize = 16;
-/// Part of the length of an axis, from the first of its pixels to the last, of which none is missing: what lies in a line
-/// by chance has more gaps.
+/// Part of the length of an axis, from the first of its pixels to the last, that is seen: a figure may hide half of it, and
+/// of what lies in a line by chance a quarter is seen.
 const WHOLE: f32 = 0.4;
 /// Most pixels that an axis may have, by the width and height of the picture: more are no thin line.
 const MOST_OF_SIDES: u64 = 4;

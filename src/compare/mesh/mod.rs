@@ -5,6 +5,7 @@ mod matching;
 mod place;
 mod placement;
 mod rounding;
+mod words;
 
 pub use finding::MeshFinding;
 pub use place::{MeshParts, MeshPlace};
@@ -16,12 +17,10 @@ use super::{Allowance, CompareError, Which};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
 use crate::steps::at_once;
-use finding::length;
 use glam::DVec3;
 use matching::{Matching, Triangles};
 use placement::Points;
 use serde::Serialize;
-use std::fmt;
 
 /// Vertices differ if they are farther apart than this share of the reference's size, unless
 /// told otherwise.
@@ -29,7 +28,8 @@ pub const MESH_TOLERANCE: f64 = 1e-5;
 /// Share of the reference's size to within which a mesh is nearly another one that was moved, turned or scaled, such as one
 /// that was turned by weights that do not add up to one.
 const NEARLY: f64 = 1e-3;
-/// How many times as far apart the two have to be at most.
+/// How many times as far apart as that the two are where they are farthest, at least: nearer ones are no more like that
+/// than like each other.
 const MUCH_NEARER: f64 = 30.0;
 /// Number of the worst vertices that are listed.
 const LISTED: usize = 10;
@@ -154,14 +154,13 @@ pub fn compare_meshes(
         moved_in_order: matching.moved(),
         triangles,
     };
-    let found = at_once(|_| found_by(&Evidence::RULES, async |_, applies| applies(&evidence)));
-    let findings = without_names(found);
+    let findings = find(&evidence);
     let is_explained = is_explained(&findings, differing);
     let (places, nearly) = if is_explained {
         (Vec::new(), None)
     } else {
         let places = place::places(&points_a, &distances, tolerance, options.parts);
-        (places, nearly(&evidence.points, NEARLY * size))
+        (places, nearly(evidence, NEARLY * size))
     };
     Ok(MeshComparison {
         passed: differing <= allowed_vertices && triangles.are_same(),
@@ -184,28 +183,24 @@ pub fn compare_meshes(
     })
 }
 
+/// What is wrong by the rules.
+fn find(evidence: &Evidence) -> Vec<MeshFinding> {
+    let found = at_once(|_| found_by(&Evidence::RULES, async |_, applies| applies(evidence)));
+    without_names(found)
+}
+
 /// What moved, turned or scaled A to where B is to within `tolerance`, if they are much farther apart.
-fn nearly(points: &Points<'_>, tolerance: f64) -> Option<MeshFinding> {
-    if points.apart.is_nan() || points.apart < MUCH_NEARER * tolerance {
+fn nearly(evidence: Evidence, tolerance: f64) -> Option<MeshFinding> {
+    if evidence.points.apart.is_nan() || evidence.points.apart < MUCH_NEARER * tolerance {
         return None;
     }
     let points = Points {
         tolerance,
-        ..*points
+        ..evidence.points
     };
-    PLACEMENTS.iter().find_map(|find| find(&points))
+    let found = find(&Evidence { points, ..evidence });
+    found.into_iter().find(MeshFinding::is_placement)
 }
-
-/// Ways in which all of A may be placed elsewhere, the simplest first.
-const PLACEMENTS: [fn(&Points<'_>) -> Option<MeshFinding>; 7] = [
-    placement::offset,
-    placement::scale,
-    placement::scale_and_move,
-    placement::axes,
-    placement::scaled_axes,
-    placement::scaled_and_moved_axes,
-    placement::turn,
-];
 
 /// For each of `b` the index of the one of `a` that it is, within `tolerance`, if they are the same
 /// points in another order. `None` for other numbers of points.
@@ -356,86 +351,5 @@ impl MeshComparison {
     pub fn is_unexplained(&self) -> bool {
         let differing = self.differing_vertices;
         differing > 0 && !is_explained(&self.findings, differing)
-    }
-
-    /// A sentence on the vertices that differ where no cause accounts for them.
-    fn unexplained(&self) -> Option<String> {
-        if !self.is_unexplained() {
-            return None;
-        }
-        if let Some(nearly) = &self.nearly {
-            let percent = 100.0 * NEARLY;
-            return Some(format!(
-                "nearly, to within {percent} % of the size: {nearly}"
-            ));
-        }
-        let differing = self.differing_vertices;
-        let agreeing = self.vertices - differing;
-        let place = match self.differing_bounds {
-            _ if agreeing == 0 => "no vertex agrees".to_owned(),
-            None => format!("{agreeing} of {} vertices agree", self.vertices),
-            Some([low, high]) => format!(
-                "{agreeing} of {} vertices agree; those that differ lie in A within {} to {}",
-                self.vertices,
-                finding::vector(low),
-                finding::vector(high)
-            ),
-        };
-        Some(format!(
-            "B is not A moved, turned, scaled, rounded or in another order: {place}"
-        ))
-    }
-}
-
-impl fmt::Display for MeshComparison {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "differing vertices  {} of {} by more than {}",
-            self.differing_vertices,
-            self.vertices,
-            length(self.tolerance)
-        )?;
-        writeln!(f, "largest distance    {}", length(self.max))?;
-        let by_size = length(self.max_by_size);
-        writeln!(f, "  by size           {by_size} of {}", length(self.size))?;
-        writeln!(f, "mean distance       {}", length(self.mean))?;
-        writeln!(f, "RMS distance        {}", length(self.rms))?;
-        let triangles = if self.same_triangles {
-            "the same"
-        } else {
-            "differ"
-        };
-        writeln!(
-            f,
-            "triangles           {triangles} ({} in A)",
-            self.triangles
-        )?;
-        for (number, vertex) in self.worst.iter().enumerate() {
-            let place = |[x, y, z]: [f32; 3]| format!("({x}, {y}, {z})");
-            let from = if number == 0 { " (from 0)" } else { "" };
-            writeln!(
-                f,
-                "  vertex {}{from}: {} apart, {} in A, {} in B",
-                vertex.index,
-                length(vertex.distance),
-                place(vertex.a),
-                place(vertex.b)
-            )?;
-        }
-        for finding in &self.findings {
-            writeln!(f, "found: {finding}")?;
-        }
-        if let Some(unexplained) = self.unexplained() {
-            writeln!(f, "{unexplained}")?;
-            if self.nearly.is_none() {
-                place::fmt_places(f, &self.places)?;
-            }
-        }
-        if self.differing_vertices <= self.allowed_vertices && !self.same_triangles {
-            return f.write_str("failed: the triangles differ");
-        }
-        let verdict = if self.passed { "passed" } else { "failed" };
-        write!(f, "{verdict}: at most {} may differ", self.allowed_vertices)
     }
 }
