@@ -272,10 +272,15 @@ fn drawable(places: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
     Mesh::new(placed.collect(), whole.copied().collect())
 }
 
+/// The largest distance of a vertex that has a place: where the scale of colors ends.
+fn largest(measure: &MeshMeasure) -> f64 {
+    let finite = measure.distances.iter().copied().filter(|d| d.is_finite());
+    finite.fold(0.0, f64::max)
+}
+
 /// The distances as numbers of the vertices, to the largest one.
 fn numbers(measure: &MeshMeasure) -> VertexNumbers {
-    let finite = measure.distances.iter().copied().filter(|d| d.is_finite());
-    let most = finite.fold(measure.tolerance, f64::max);
+    let most = largest(measure).max(measure.tolerance);
     let values = measure
         .distances
         .iter()
@@ -297,7 +302,7 @@ fn words(name: &str, measure: Option<&MeshMeasure>) -> Legend {
         };
     };
     let by_size = |distance: f64| of_size(distance / measure.size);
-    let ends = ["0".to_owned(), by_size(measure.worst)];
+    let ends = ["0".to_owned(), by_size(largest(measure))];
     Legend {
         title: format!("Distance of {name} from the exact mesh"),
         ends: Some(ends).filter(|_| measure.off > 0),
