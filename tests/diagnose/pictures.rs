@@ -119,12 +119,12 @@ fn a_figure_with_nearly_the_color_of_the_background_is_found_where_the_picture_i
 
 #[test]
 fn limbs_of_a_figure_that_is_small_in_its_picture_are_seen() {
-    let figure = Figure::builtin("adult", turned(43));
-    for id in ["euler-yxz", "euler-zyx"] {
-        let folder = folder(&figure, &[id]);
-        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,8", "");
-        assert_eq!(found["causes"][0], id, "{found}");
-    }
+    // As coarsely as a picture that it fills is looked at, another order of rotations fits as well.
+    let figure = Figure::builtin("adult", turned(45));
+    let folder = folder(&figure, &["euler-zyx"]);
+    let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,14", "");
+    assert_eq!(found["causes"], json!(["euler-zyx"]), "{found}");
+    assert_eq!(found["same_as"], json!([]), "{found}");
 }
 
 #[test]
