@@ -26,11 +26,11 @@ pub use area::Area;
 pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
-pub(crate) use mesh::nearest_rotation;
 pub use mesh::{
     MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, WorstVertex,
     compare_meshes, permutation,
 };
+pub(crate) use mesh::{nearest_rotation, placement};
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
 pub use rules::sentence;

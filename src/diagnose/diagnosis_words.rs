@@ -1,6 +1,7 @@
 //! What is found out about a mesh, in words.
 
 use super::diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+use super::mistakes::LOOK_AT_PLACE;
 use super::other_pose::OtherPose;
 use super::precision::Coarse;
 use crate::compare::MeshFinding;
@@ -12,10 +13,6 @@ const TOLD: usize = 5;
 /// What to look at where a mesh is right in another pose.
 const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
                             its angles";
-
-/// What to look at where a mesh is moved, turned or scaled as a whole.
-const LOOK_AT_PLACE: &str = "what is done to vertices after skinning, or to the model when it is read: units, axes, a \
-                             matrix of the shape or of the camera that belongs only to drawing";
 
 impl fmt::Display for OfTheWhole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -6,6 +6,7 @@ use super::faces::FaceDifference;
 use super::formula::VertexOrder;
 use super::mistakes::{IN_ANY_ORDER, Mistake};
 use super::model::Model;
+use super::placed::Limits;
 use super::regions::regions;
 use super::search::{Explanation, Made};
 use super::skin::Placed;
@@ -159,8 +160,8 @@ impl Findings<'_> {
         regions(joints, distances, limits, |index| self.joint_of(index))
     }
 
-    /// Movements, scales and turns that give the whole mesh.
-    pub(super) fn of_the_whole(&self, theirs: &[Vec3]) -> Vec<OfTheWhole> {
+    /// Movements, scales and turns that give the whole mesh within `limits`.
+    pub(super) fn of_the_whole(&self, theirs: &[Vec3], limits: Limits) -> Vec<OfTheWhole> {
         let exact = self
             .exact
             .iter()
@@ -174,12 +175,14 @@ impl Findings<'_> {
         let Ok(compared) = compare_meshes(&exact, &theirs, &options) else {
             return Vec::new();
         };
-        // What order and digits are is found out otherwise.
-        let of_all = |finding: &&MeshFinding| {
-            !matches!(
-                finding,
-                MeshFinding::Permuted { .. } | MeshFinding::Rounded { .. }
-            )
+        let exact = |vertex: usize| self.exact[vertex].at;
+        // What order and digits are is found out otherwise, and of a smaller mesh more has to agree.
+        let of_all = |finding: &&MeshFinding| match finding {
+            MeshFinding::Permuted { .. } | MeshFinding::Rounded { .. } => false,
+            MeshFinding::Offset { .. } | MeshFinding::Scaled { .. } | MeshFinding::Axes { .. } => {
+                limits.error(finding, exact, self.theirs).is_some()
+            }
+            _ => true,
         };
         let findings = compared.findings.iter().filter(of_all);
         findings.cloned().map(OfTheWhole).collect()

@@ -1,8 +1,8 @@
 //! Mistakes that are found otherwise than by making each in every way: in the faces of a mesh, in single joints, and with
 //! numbers from the mesh.
 
-use super::formula::Columns;
-use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
+use super::formula::{Columns, Formula};
+use super::mistakes::{LOOK_AT_PLACE, MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
 pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
@@ -118,17 +118,46 @@ pub(super) static WEIGHT_ROWS_DRIFT: Mistake = Mistake {
     readings: &[],
 };
 
-/// A mistake in the units of the angles, whose factor is worked out from the mesh.
+/// A mistake in where all of a mesh is, which nothing but the mesh itself shows. It is named beside another one; a mesh
+/// with it alone is nearly right.
+pub(super) static MOVED_AS_A_WHOLE: Mistake = Mistake {
+    id: super::MOVED_AS_A_WHOLE,
+    meaning: "the mesh is moved, scaled or given other axes as a whole",
+    section: SSD,
+    look_at: LOOK_AT_PLACE,
+    readings: &[],
+};
+
+/// π as programs often have it.
+#[expect(clippy::approx_constant, reason = "it is meant to be coarse")]
+const COARSE_PI: f64 = 3.14;
+
+/// A mistake in the units of the angles, whose factor is worked out from the mesh; beside another mistake it is that of a
+/// π that programs often have.
 pub(super) static ANGLES_SCALED: Mistake = Mistake {
     id: "angles-scaled",
     meaning: "all angles are too large or too small by the same factor",
     section: SLIDERS,
     look_at: "setJointTransform: the conversion of degrees to radians, and the digits of its π",
-    readings: &[],
+    readings: &[
+        reading("by a π of 3.14", |formula| {
+            scale_angles(formula, COARSE_PI)
+        }),
+        reading("by a π of 22/7", |formula| {
+            scale_angles(formula, 22.0 / 7.0)
+        }),
+    ],
 };
 
+/// Converts degrees to radians with another π.
+fn scale_angles(formula: &mut Formula, pi: f64) {
+    for factor in &mut formula.joint.angles {
+        *factor *= pi / std::f64::consts::PI;
+    }
+}
+
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 13] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 14] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
@@ -142,4 +171,5 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 13] = [
     &VERTEX_WITHOUT_W,
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
+    &MOVED_AS_A_WHOLE,
 ];

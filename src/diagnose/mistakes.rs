@@ -40,6 +40,10 @@ pub(super) const SSD: &str = "4.2 SSD";
 pub(super) const EVERY_JOINT_COUNTS: &str =
     "where weights are read or summed: every joint counts, however many there are";
 
+/// What to look at where a mesh is moved, turned or scaled as a whole.
+pub(super) const LOOK_AT_PLACE: &str = "what is done to vertices after skinning, or to the model when it is read: \
+                                        units, axes, a matrix of the shape or of the camera that belongs only to drawing";
+
 pub(super) const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
     Reading { how, make }
 }
@@ -105,6 +109,9 @@ macro_rules! sign_flipped {
 
 /// Name of the mistake that leaves the mesh in the bind pose.
 pub const POSE_NOT_APPLIED: &str = "pose-not-applied";
+/// Name of the mistake that a mesh is moved, turned or scaled as a whole, which grading also counts of one that is right but
+/// for that.
+pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
 
 /// Every mistake that is known, the most telling first: where several give the same mesh, they are
 /// named in this order.

@@ -24,6 +24,7 @@ mod one_joint;
 mod other_pose;
 mod picture;
 mod picture_search;
+mod placed;
 mod precision;
 mod regions;
 mod search;
@@ -47,7 +48,7 @@ pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_after, skin_by};
-pub use mistakes::{MISTAKES, Mistake, POSE_NOT_APPLIED, Reading};
+pub use mistakes::{MISTAKES, MOVED_AS_A_WHOLE, Mistake, POSE_NOT_APPLIED, Reading};
 pub use nearest::Nearest;
 pub use no_numbers::NoNumbers;
 pub use of_whole_program::LAST_RESULT_SKINNED;
@@ -206,14 +207,14 @@ async fn diagnose_vertices(
     if explanations.is_empty() {
         explanations.extend(findings.in_another_order());
     }
+    // Numbers that are worked out from a mesh bring many near it. Those that are right bring it much nearer.
+    let rounding = precision::of_vertices(half_step).max(AS_GOOD_AS_NONE * size);
     if explanations.is_empty() {
-        // Numbers that are worked out from a mesh bring many near it. Those that are right bring it much nearer.
-        let rounding = precision::of_vertices(half_step).max(AS_GOOD_AS_NONE * size);
         let fits = search.within(rounding.max(error / MUCH_NEARER));
         explanations = made_alone::find(&search, &fits, order, &exact, size, pace).await;
     }
     if explanations.is_empty() {
-        explanations = search.pairs(&alone, pace).await;
+        explanations = search.pairs(&alone, rounding, pace).await;
     }
     if explanations.is_empty() {
         let mut found = findings.diagnosis(Verdict::Unexplained);
@@ -224,7 +225,18 @@ async fn diagnose_vertices(
         pace.after(exact.len()).await;
         found.regions = findings.regions();
         if !written.has_outliers {
-            found.findings = findings.of_the_whole(theirs);
+            let limits = placed::Limits {
+                tolerance,
+                rounding: precision::of_vertices(half_step),
+                most: MOST_TOLERANCE * size,
+            };
+            found.findings = findings.of_the_whole(theirs, limits);
+            if found.findings.is_empty() {
+                let placed = placed::find(&search, limits, pace).await;
+                if !placed.is_empty() {
+                    return Ok(findings.explained(&placed));
+                }
+            }
         }
         if found.findings.is_empty() {
             let limits = (tolerance, size);

@@ -392,6 +392,33 @@ pub(super) static SMALL_WEIGHTS_LEFT_OUT: Mistake = Mistake {
     ],
 };
 
+/// A mistake in which weights are not used at all, but for which of them are 0.
+static WEIGHTS_IGNORED: Mistake = Mistake {
+    id: "weights-ignored",
+    meaning: "every joint with a weight counts alike, however large the weight is",
+    section: SSD,
+    look_at: "updateMeshVertices: what each joint gives is multiplied by its weight",
+    readings: &[
+        reading("the mean of what they give", |formula| {
+            formula.weights.rescaled = Rescaled::ToMean;
+        }),
+        reading("the sum of what they give", |formula| {
+            formula.weights.rescaled = Rescaled::ToOnes;
+        }),
+    ],
+};
+
+/// A mistake in the weighted sum.
+static SUM_DIVIDED: Mistake = Mistake {
+    id: "sum-divided",
+    meaning: "the weighted sum is divided by how many joints it is of",
+    section: SSD,
+    look_at: "updateMeshVertices: the weights make the sum a mean already, and nothing is left to divide",
+    readings: &[reading("", |formula| {
+        formula.weights.rescaled = Rescaled::ByCount;
+    })],
+};
+
 /// A mistake in the type of weights.
 static WEIGHTS_ROUNDED: Mistake = Mistake {
     id: "weights-rounded",
@@ -409,7 +436,7 @@ static WEIGHTS_ROUNDED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 22] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 24] = [
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &ROOT_NOT_MOVED,
@@ -424,6 +451,8 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 22] = [
     &ANGLES_SHIFTED,
     &ROTATION_OF_CHILDREN_ONLY,
     &INFLUENCES_CUT_FEWER,
+    &WEIGHTS_IGNORED,
+    &SUM_DIVIDED,
     &WEIGHTS_ROUNDED,
     &SMALL_WEIGHTS_LEFT_OUT,
     &ABOVE_PARENTS_MISSING,

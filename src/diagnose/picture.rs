@@ -259,8 +259,8 @@ impl fmt::Display for PictureDiagnosis {
             )?,
             Verdict::OtherPose | Verdict::Unexplained => write!(
                 f,
-                "{}: {error} of the silhouette is off, and no known mistake gives this one, \
-                 nor do two of them{}",
+                "{}: {error} of the silhouette is off, and none of the mistakes that are sought in pictures gives this \
+                 one, nor do two of them{}",
                 if self.is_nearly_right() {
                     "nearly right"
                 } else {

@@ -1,8 +1,9 @@
 //! The search for the mistakes that give a mesh.
 
+use super::MUCH_NEARER;
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
-use super::found_otherwise::{JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
+use super::found_otherwise::{ANGLES_SCALED, JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
 use super::mistakes::{MISTAKES, Mistake, Reading, reading};
 use super::model::Model;
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
@@ -53,6 +54,10 @@ impl Made {
             reading: &BY_NUMBERS,
         }
     }
+
+    fn is_by_numbers(self) -> bool {
+        std::ptr::eq(self.reading, &raw const BY_NUMBERS)
+    }
 }
 
 /// Mistakes that together give a mesh or a silhouette.
@@ -61,7 +66,7 @@ pub(super) struct Explanation {
     pub(super) made: Vec<Made>,
     /// What is left: the largest distance, or the part of the silhouette that is off.
     pub(super) error: f64,
-    /// What is special about the first, where only the mesh tells it.
+    /// What is special about the one with numbers from the mesh, if there is one.
     pub(super) how: Option<String>,
 }
 
@@ -83,11 +88,14 @@ impl Explanation {
 
     /// The mistakes in words.
     pub(super) fn told(&self) -> Vec<ToldMistake> {
-        let mut told: Vec<ToldMistake> = self.made.iter().copied().map(ToldMistake::new).collect();
-        if let (Some(first), Some(how)) = (told.first_mut(), &self.how) {
-            first.how = how.clone().into();
-        }
-        told
+        let told = |made: &Made| {
+            let mut told = ToldMistake::new(*made);
+            if let Some(how) = self.how.as_ref().filter(|_| made.is_by_numbers()) {
+                told.how = how.clone().into();
+            }
+            told
+        };
+        self.made.iter().map(told).collect()
     }
 }
 
@@ -157,8 +165,14 @@ impl<'a> Search<'a> {
         (alone, found)
     }
 
-    /// Every two mistakes that explain the mesh, the one that explains more by itself first.
-    pub(super) async fn pairs(&self, alone: &[Alone], pace: &Pace) -> Vec<Explanation> {
+    /// Every two mistakes that explain the mesh, the one that explains more by itself first. A factor of angles has to bring
+    /// it much nearer than the other one alone does, or as near as `rounding` tells.
+    pub(super) async fn pairs(
+        &self,
+        alone: &[Alone],
+        rounding: f64,
+        pace: &Pace,
+    ) -> Vec<Explanation> {
         let mean = |made: Made| {
             let one = alone
                 .iter()
@@ -177,9 +191,21 @@ impl<'a> Search<'a> {
             if mean(*second) < mean(*first) {
                 made.reverse();
             }
-            found.extend(self.explained_by(&mut skinner, made, pace).await);
+            let explained = self.explained_by(&mut skinner, made, pace).await;
+            let is_scaled = std::ptr::eq(first.mistake, &raw const ANGLES_SCALED);
+            found.extend(explained.filter(|both| {
+                let other = || self.error_of(*second).unwrap_or(f64::INFINITY);
+                !is_scaled || both.error <= rounding || both.error <= other() / MUCH_NEARER
+            }));
         }
         found
+    }
+
+    /// How far the mesh is from the one with a mistake alone, at most.
+    fn error_of(&self, made: Made) -> Option<f64> {
+        let mut skinner = self.skinner(&formula(&[made]))?;
+        let all = (0..self.theirs.len()).map(|index| self.distance(&mut skinner, index));
+        Some(all.fold(0.0, f64::max))
     }
 
     /// How near the mesh is to the one of `skinner`.
@@ -205,7 +231,7 @@ impl<'a> Search<'a> {
         Some(off.count())
     }
 
-    fn skinner(&self, formula: &Formula) -> Option<Skinner<'a>> {
+    pub(super) fn skinner(&self, formula: &Formula) -> Option<Skinner<'a>> {
         let fits = self.model.count(formula.vertex_order) == self.theirs.len();
         fits.then(|| Skinner::new(self.model, self.pose, formula))
     }
@@ -300,7 +326,9 @@ fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
 
 /// Every way to make a mistake that is sought alone first.
 pub(super) fn ways_of_whole_program() -> impl Iterator<Item = Made> {
-    let of_whole = OF_WHOLE_PROGRAM.into_iter().chain([&JOINT_LEFT_OUT]);
+    let of_whole = OF_WHOLE_PROGRAM
+        .into_iter()
+        .chain([&JOINT_LEFT_OUT, &ANGLES_SCALED]);
     of_whole.flat_map(|mistake| {
         let readings = mistake.readings.iter();
         readings.map(move |reading| Made { mistake, reading })

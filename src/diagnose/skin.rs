@@ -204,9 +204,19 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
         Rescaled::ToOneWhereCut if kept.len() == count => {}
         Rescaled::ToOne | Rescaled::ToOneWhereCut => scale_to(1.0, kept),
         Rescaled::ToSumOfAll => scale_to(sum_of_all, kept),
+        Rescaled::ToOnes => each(kept, |_| 1.0),
+        Rescaled::ToMean => each(kept, |_| 1.0 / count as f64),
+        Rescaled::ByCount => each(kept, |weight| weight / count as f64),
     }
     for (_, weight) in kept {
         *weight *= formula.factor;
+    }
+}
+
+/// Sets every weight to what comes of it.
+fn each(weights: &mut [(usize, f64)], set: impl Fn(f64) -> f64) {
+    for (_, weight) in weights {
+        *weight = set(*weight);
     }
 }
 

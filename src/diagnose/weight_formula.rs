@@ -53,6 +53,12 @@ pub enum Rescaled {
     ToOneWhereCut,
     /// They sum to what all did.
     ToSumOfAll,
+    /// Each is 1, whatever it was.
+    ToOnes,
+    /// Each is the same, and they sum to 1, whatever they were.
+    ToMean,
+    /// They are divided by how many they are.
+    ByCount,
 }
 
 /// Which row of weights a vertex is given.

@@ -3,8 +3,8 @@
 use super::graded::Outcome;
 use super::report::NEARLY;
 use super::rubric::MOSTLY_POSED;
-use crate::diagnose::{Diagnosis, NearlyRight, Verdict};
-use crate::io::{MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW};
+use crate::diagnose::{Diagnosis, MOVED_AS_A_WHOLE, NearlyRight, Verdict};
+use crate::io::{RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW};
 
 pub(super) fn outcome(verdict: Verdict) -> Outcome {
     match verdict {

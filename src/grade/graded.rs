@@ -57,7 +57,7 @@ pub struct Graded {
     /// Of a file that nothing explains and that is nearly right, what is wrong with it, by name: a mistake,
     /// [`RIGHT_BUT_FOR_FEW`](crate::io::RIGHT_BUT_FOR_FEW),
     /// [`RIGHT_BUT_FOR_DIGITS`](crate::io::RIGHT_BUT_FOR_DIGITS) or
-    /// [`MOVED_AS_A_WHOLE`](crate::io::MOVED_AS_A_WHOLE).
+    /// [`MOVED_AS_A_WHOLE`](crate::diagnose::MOVED_AS_A_WHOLE).
     pub nearly: Vec<String>,
     /// How far the file is from the exact one, by the size; `None` without a diagnosis, and where it
     /// is not finite.

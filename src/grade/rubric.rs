@@ -2,10 +2,9 @@
 
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use crate::diagnose::{Mistake, POSE_NOT_APPLIED};
+use crate::diagnose::{MOVED_AS_A_WHOLE, Mistake, POSE_NOT_APPLIED};
 use crate::io::{
-    MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
-    RubricData, TestData,
+    OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
 };
 use std::collections::BTreeMap;
 

@@ -24,8 +24,6 @@ pub struct Share(pub f64);
 pub const RIGHT_BUT_FOR_FEW: &str = "right-but-for-few";
 /// Name of the exact mesh with numbers that are rounded too coarsely to tell mistakes apart.
 pub const RIGHT_BUT_FOR_DIGITS: &str = "right-but-for-digits";
-/// Name of the exact mesh moved, turned or scaled as a whole.
-pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
 /// Name of the exact result of a pose in which few joints are not as asked.
 pub const RIGHT_BUT_FOR_JOINTS: &str = "right-but-for-joints";
 /// Name of the exact result of another pose.
@@ -91,7 +89,6 @@ impl TryFrom<String> for MistakeName {
             RIGHT_BUT_FOR_FEW,
             RIGHT_BUT_FOR_DIGITS,
             RIGHT_BUT_FOR_JOINTS,
-            MOVED_AS_A_WHOLE,
             OTHER_POSE,
         ];
         if Mistake::find(&name).is_some() || others.contains(&&*name) {

@@ -13,6 +13,7 @@ mod other_poses;
 mod pairs;
 mod picture_pairs;
 mod pictures;
+mod placed;
 mod program;
 mod same;
 mod steps;

@@ -6,6 +6,7 @@ use editor_core::character::Pose;
 use editor_core::character::skinning::skin_positions;
 use editor_core::diagnose::{Diagnosis, Verdict};
 use glam::{EulerRot, Mat4, Quat, Vec3};
+use std::collections::BTreeSet;
 
 /// The diagnosis of what `student` writes of the adult.
 fn of(student: &Student, seed: u32) -> Diagnosis {
@@ -774,4 +775,63 @@ fn a_sum_that_begins_with_the_vertex_and_one_without_a_joint_are_named() {
     let found = figure.diagnose(&written(&without_last.skin(&figure), 6));
     assert_eq!(found.causes, ["joint-left-out"], "{found}");
     assert!(found.to_string().contains("(Left elbow (17))"), "{found}");
+}
+
+#[test]
+fn weights_that_are_not_multiplied_and_a_sum_that_is_divided_are_named() {
+    let with = |weights| Student { weights, ..RIGHT };
+    let mean = |weights: Vec<(usize, f32)>| {
+        let share = 1.0 / weights.len() as f32;
+        weights
+            .into_iter()
+            .map(|(joint, _)| (joint, share))
+            .collect()
+    };
+    let ones =
+        |weights: Vec<(usize, f32)>| weights.into_iter().map(|(joint, _)| (joint, 1.0)).collect();
+    let divided = |weights: Vec<(usize, f32)>| {
+        let count = weights.len() as f32;
+        let weights = weights.into_iter();
+        weights
+            .map(|(joint, weight)| (joint, weight / count))
+            .collect()
+    };
+    for (student, id, how) in [
+        (with(mean), "weights-ignored", "the mean of what they give"),
+        (with(ones), "weights-ignored", "the sum of what they give"),
+        (with(divided), "sum-divided", ""),
+    ] {
+        assert_named(&of(&student, 66), id, how);
+        let also = Student {
+            rotation: |x, y, z| z * y * x,
+            ..student
+        };
+        let found = of(&also, 66);
+        let named: BTreeSet<&str> = found.together().into_iter().collect();
+        assert_eq!(named, BTreeSet::from(["euler-zyx", id]), "{found}");
+    }
+}
+
+#[test]
+#[expect(clippy::approx_constant, reason = "students write π so")]
+fn a_coarse_pi_is_named_beside_another_mistake() {
+    for (to_radians, how) in [
+        (
+            (|degrees| degrees * 3.14 / 180.0) as fn(f32) -> f32,
+            "by a π of 3.14",
+        ),
+        (|degrees| degrees * 22.0 / 7.0 / 180.0, "by a π of 22/7"),
+    ] {
+        for id in ["euler-zyx", "weights-shifted", "sign-flipped-y"] {
+            let found = of(
+                &Student {
+                    to_radians,
+                    ..with(&[id])
+                },
+                61,
+            );
+            assert_eq!(found.together(), [id, "angles-scaled"], "{found}");
+            assert_eq!(found.mistakes[1].how, how, "{found}");
+        }
+    }
 }

@@ -156,6 +156,32 @@ impl MeshFinding {
         )
     }
 
+    /// Where B has a point of A and by how much it is larger, if it is A moved, scaled or with other axes.
+    pub(crate) fn placed(&self, point: DVec3) -> Option<(DVec3, f64)> {
+        let (at, factor, offset) = match self {
+            Self::Offset { by } => (point, 1.0, by),
+            Self::Scaled { factor, offset } => (point, *factor, offset),
+            Self::Axes {
+                from_a,
+                factor,
+                offset,
+                ..
+            } => {
+                let along = |axis: &str| {
+                    let (sign, name) = match axis.strip_prefix('-') {
+                        Some(name) => (-1.0, name),
+                        None => (1.0, axis),
+                    };
+                    let index = ["x", "y", "z"].iter().position(|known| *known == name);
+                    index.map_or(f64::NAN, |index| sign * point[index])
+                };
+                (DVec3::from_array(from_a.map(along)), *factor, offset)
+            }
+            _ => return None,
+        };
+        Some((at * factor + DVec3::from_array(*offset), factor))
+    }
+
     /// What B is, in a few words; `None` for what is no placement of A.
     pub fn brief(&self) -> Option<String> {
         let sized = |words: String, factor: f64| match (factor - 1.0).abs() > NO_SCALE {

@@ -202,6 +202,19 @@ fn nearly(evidence: Evidence, tolerance: f64) -> Option<MeshFinding> {
     found.into_iter().find(MeshFinding::is_placement)
 }
 
+/// What moves, scales or exchanges the axes of all of `a` so that each is where `b` has it, within `tolerance`, which grows
+/// with a scale; `None` for other numbers of points.
+pub(crate) fn placement(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
+    let apart = distances(a, b).into_iter().fold(0.0, f64::max);
+    let points = Points {
+        a,
+        b,
+        tolerance,
+        apart,
+    };
+    (a.len() == b.len() && apart.is_finite()).then(|| placement::simplest(&points))?
+}
+
 /// For each of `b` the index of the one of `a` that it is, within `tolerance`, if they are the same
 /// points in another order. `None` for other numbers of points.
 pub fn permutation(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<Vec<u32>> {
@@ -227,26 +240,17 @@ type Applies<E> = fn(&E) -> Option<MeshFinding>;
 impl Evidence<'_> {
     /// Every cause: first what keeps vertices from being compared, then the simplest movement
     /// that explains all of them, then their order, then the triangles.
-    const RULES: [Rule<Applies<Self>>; 15] = [
+    const RULES: [Rule<Applies<Self>>; 9] = [
         rule("not_finite_in_a", Everything, |e| {
             not_finite(Which::A, e.points.a)
         }),
         rule("not_finite_in_b", Everything, |e| {
             not_finite(Which::B, e.points.b)
         }),
-        rule("offset", NOT_FINITE, |e| e.placed(placement::offset)),
-        rule("scale", NOT_FINITE, |e| e.placed(placement::scale)),
-        rule("scale_and_move", NOT_FINITE, |e| {
-            e.placed(placement::scale_and_move)
+        rule("placement", NOT_FINITE, |e| {
+            e.placed(placement::simplest)
+                .or_else(|| e.placed(placement::turn))
         }),
-        rule("axes", NOT_FINITE, |e| e.placed(placement::axes)),
-        rule("scaled_axes", NOT_FINITE, |e| {
-            e.placed(placement::scaled_axes)
-        }),
-        rule("scaled_and_moved_axes", NOT_FINITE, |e| {
-            e.placed(placement::scaled_and_moved_axes)
-        }),
-        rule("turn", NOT_FINITE, |e| e.placed(placement::turn)),
         rule("rounded", NOT_FINITE, |e| e.placed(rounding::rounded)),
         rule("one_place", NOT_FINITE, |e| e.placed(placement::one_place)),
         rule("permuted", Everything, |e| {

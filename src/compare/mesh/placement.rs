@@ -71,8 +71,18 @@ impl Points<'_> {
     }
 }
 
+/// The simplest of movements, scales and exchanged axes.
+pub(super) fn simplest(points: &Points) -> Option<MeshFinding> {
+    offset(points)
+        .or_else(|| scale(points))
+        .or_else(|| scale_and_move(points))
+        .or_else(|| axes(points))
+        .or_else(|| scaled_axes(points))
+        .or_else(|| scaled_and_moved_axes(points))
+}
+
 /// A movement.
-pub(super) fn offset(points: &Points) -> Option<MeshFinding> {
+fn offset(points: &Points) -> Option<MeshFinding> {
     let (mean_a, mean_b) = points.means();
     let by = mean_b - mean_a;
     let by = by.to_array();
@@ -81,27 +91,27 @@ pub(super) fn offset(points: &Points) -> Option<MeshFinding> {
 }
 
 /// A scale about the origin.
-pub(super) fn scale(points: &Points) -> Option<MeshFinding> {
+fn scale(points: &Points) -> Option<MeshFinding> {
     scale_about(points, ORIGINS)
 }
 
 /// A scale and a movement.
-pub(super) fn scale_and_move(points: &Points) -> Option<MeshFinding> {
+fn scale_and_move(points: &Points) -> Option<MeshFinding> {
     scale_about(points, points.means())
 }
 
 /// Axes exchanged or reversed, in the same size about the origin.
-pub(super) fn axes(points: &Points) -> Option<MeshFinding> {
+fn axes(points: &Points) -> Option<MeshFinding> {
     axes_about(points, ORIGINS, 1.0)
 }
 
 /// Axes exchanged or reversed, and a scale about the origin.
-pub(super) fn scaled_axes(points: &Points) -> Option<MeshFinding> {
+fn scaled_axes(points: &Points) -> Option<MeshFinding> {
     axes_about(points, ORIGINS, points.size_ratio(ORIGINS)?)
 }
 
 /// Axes exchanged or reversed, a scale and a movement.
-pub(super) fn scaled_and_moved_axes(points: &Points) -> Option<MeshFinding> {
+fn scaled_and_moved_axes(points: &Points) -> Option<MeshFinding> {
     let means = points.means();
     axes_about(points, means, points.size_ratio(means)?)
 }
