@@ -7,6 +7,7 @@ use crate::scene::{
     ShapeColor, ShapeId, ShapeKind, SkinningMethod, Source, ViewDirection,
 };
 use glam::Vec3;
+use std::borrow::Cow;
 
 /// Change of the document.
 #[derive(Clone, Debug)]
@@ -225,7 +226,7 @@ pub enum View {
     /// of its curve and of the point in it; or none.
     HoverControlPoint(Option<(usize, usize)>),
     /// Tells the user why something was not done.
-    Tell(&'static str),
+    Tell(Cow<'static, str>),
     /// Dismisses the fresh message at an index; the history keeps it.
     DismissMessage(usize),
 }

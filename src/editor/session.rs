@@ -77,7 +77,8 @@ impl Session {
         Self::default()
     }
 
-    /// A session with a document of `shapes`, seen through `view`; the last shape is selected.
+    /// A session with a document of `shapes`, seen through `view`; the last shape that is shown is
+    /// selected.
     pub fn with_shapes(shapes: Vec<NewShape>, view: ViewSettings) -> Self {
         let mut session = Self::default();
         session.open(shapes, view);
@@ -109,8 +110,13 @@ impl Session {
         }
         self.document = Revision::new();
         if let Some(&added) = change.added.last() {
-            self.select(Some(added));
-            if !change.opened {
+            if change.opened {
+                // What is not shown is not for the next key.
+                let mut shapes = self.scene.shapes().iter().rev();
+                let shown = shapes.find(|shape| shape.visible);
+                self.select(shown.map(|shape| shape.id));
+            } else {
+                self.select(Some(added));
                 self.selection = Selection::all(change.added.iter().copied(), Some(added));
             }
         } else if self
@@ -177,8 +183,9 @@ impl Session {
                 let shown = self.scene.shapes().iter().filter(|shape| shape.visible);
                 // What is locked would keep the others from being moved and deleted.
                 let free = shown.filter(|shape| !shape.locked);
-                let all = free.map(|shape| shape.id);
-                self.selection = Selection::all(all, self.selected());
+                let all: Vec<ShapeId> = free.map(|shape| shape.id).collect();
+                let active = self.selected().filter(|active| all.contains(active));
+                self.selection = Selection::all(all.into_iter(), active);
             }
             View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),
             View::Tell(why) => self.messages.tell(Severity::Info, why),

@@ -9,6 +9,7 @@ use super::{
     number_field,
 };
 use crate::editor::{Session, Tool, View};
+use crate::scene::Shape;
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
 /// a choice of color is open, which they close.
@@ -209,7 +210,7 @@ pub(super) fn press(
         if !is_second {
             if pressed.at - state.busy_at >= ESC_RESTS {
                 state.escaped_at = Some(pressed.at);
-                actions.push(Action::View(View::Tell(ESC_ENDS)));
+                actions.push(Action::View(View::Tell(ESC_ENDS.into())));
             }
             return;
         }
@@ -225,13 +226,20 @@ pub(super) fn press(
         state.refused_at = Some(pressed.at);
         return;
     }
-    // Typed for an axis of a drag that a locked shape has refused.
-    let is_locked = || session.selected_shapes().any(|shape| shape.locked);
-    if command == Command::Delete && pressed.key == egui::Key::X && is_locked() {
-        actions.push(Action::View(View::Tell(
-            "X deletes nothing that is locked: the Delete key does",
-        )));
-        return;
+    // Typed for an axis of a drag that a locked or hidden shape has refused.
+    let is_any = |what: fn(&Shape) -> bool| session.selected_shapes().any(what);
+    if command == Command::Delete && pressed.key == egui::Key::X {
+        let refused = if is_any(|shape| shape.locked) {
+            Some("X deletes nothing that is locked: the Delete key does")
+        } else if is_any(|shape| !shape.visible) {
+            Some("X deletes nothing that is hidden: the Delete key does")
+        } else {
+            None
+        };
+        if let Some(why) = refused {
+            actions.push(Action::View(View::Tell(why.into())));
+            return;
+        }
     }
     // Who has just clicked a row of the list means the shape, and not a joint of it.
     let of_row = command == Command::Delete && state.shape_row_has_keys;
@@ -284,5 +292,5 @@ pub(super) fn press(
 fn tell_once(why: &'static str, session: &Session) -> Option<Action> {
     let last = session.messages.fresh().last();
     let stands = last.is_some_and(|message| message.text == why);
-    (!stands).then_some(Action::View(View::Tell(why)))
+    (!stands).then_some(Action::View(View::Tell(why.into())))
 }

@@ -195,7 +195,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let in_dialog = popups::leave_to_dialog(&ctx, state, input);
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     if turns_freely {
-        actions.push(Action::View(View::Tell(NO_TRACKBALL)));
+        actions.push(Action::View(View::Tell(NO_TRACKBALL.into())));
     }
     let keys_taken = input.keys_are_taken
         || in_drag
@@ -236,7 +236,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if input.compare.is_some() && state.explain.is_open() {
         state.explain.set_open(false);
         let why = "Skinning is not explained while the view is compared with a picture";
-        actions.push(Action::View(View::Tell(why)));
+        actions.push(Action::View(View::Tell(why.into())));
     }
     state.explain.set_compares(input.compare_mesh.is_some());
     if input.compare.is_some() || input.compare_mesh.is_some() {
@@ -285,7 +285,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     dropping::show(&ctx, input.question.is_some());
     add_gestures_of_panels(&ctx, holding, session, state, &mut actions);
     let wrong = number_field::take_wrong(&ctx);
-    actions.extend(wrong.map(|why| Action::View(View::Tell(why))));
+    actions.extend(wrong.map(|why| Action::View(View::Tell(why.into()))));
     state.view_rect = view_rect;
 
     // Last, so that a list or a field with the keyboard focus comes first, even if it only just got
@@ -317,7 +317,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         if let Some(why) = state.navigation.why_nothing(&ctx, session.view().look)
             && !is_told(why)
         {
-            actions.push(Action::View(View::Tell(why)));
+            actions.push(Action::View(View::Tell(why.into())));
         }
     }
     state.keys_were_taken = takes_keys(&ctx);

@@ -16,8 +16,8 @@ use crate::ui::machine;
 use crate::ui::pointing::Pointing;
 use crate::ui::shortened::text_width;
 use egui::{
-    Align, Button, Frame, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, TextStyle,
-    Ui, UiBuilder, Vec2, WidgetInfo, WidgetType, vec2,
+    Align, Button, Context, Frame, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense,
+    TextStyle, Ui, UiBuilder, Vec2, WidgetInfo, WidgetType, vec2,
 };
 use std::borrow::Cow;
 
@@ -209,7 +209,7 @@ pub(super) fn status_line(
             } else if messages::faded(ui, &state.notices) {
                 state.windows.open(Dialog::Messages);
             }
-            let (over, next) = status(session, state, input, Pointing::of(ui.ctx()));
+            let (over, next) = status(session, state, input, ui.ctx());
             let strong = Palette::of(ui.visuals()).strong;
             let over = over.as_deref().map(|over| (over, strong));
             let texts = || over.into_iter().chain([(&*next, weak)]);
@@ -234,9 +234,9 @@ fn status(
     session: &Session,
     state: &UiState,
     input: &ViewInput,
-    pointing: Pointing,
+    ctx: &Context,
 ) -> (Option<String>, Cow<'static, str>) {
-    let navigation = state.navigation;
+    let (navigation, pointing) = (state.navigation, Pointing::of(ctx));
     if state.saves_later() {
         let next = pointing.words(
             "It is saved once this movement has ended · Esc cancels the movement",
@@ -250,7 +250,7 @@ fn status(
     if let Some((point, next)) = control_points::status(session, pointing) {
         return (Some(point), next.into());
     }
-    if let Some((over, next)) = posing::status(session, &state.pose, pointing) {
+    if let Some((over, next)) = posing::status(session, &state.pose, pointing, ctx) {
         return (over, next);
     }
     if let Some(joint) = hovered_joint(session) {

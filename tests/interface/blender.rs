@@ -33,7 +33,7 @@ impl Editor {
         shapes[index].placement.transform
     }
 
-    fn last_told(&self) -> Option<String> {
+    pub fn last_told(&self) -> Option<String> {
         let fresh = self.session().messages.fresh();
         fresh.last().map(|told| told.text.to_string())
     }
@@ -272,7 +272,11 @@ fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
     editor.key(Key::G);
     editor.key(Key::F);
     editor.key(Key::X);
-    assert!(editor.session().scene().shapes().is_empty());
+    let told = editor.last_told().unwrap_or_default();
+    assert!(
+        told.starts_with("X deletes nothing that is hidden"),
+        "{told}"
+    );
 
     let mut editor = in_blender(Editor::with_figure());
     editor.type_into("Neck Z", "20");

@@ -114,6 +114,19 @@ fn beside_half_line(at: Pos2, from: Pos2, through: Pos2) -> f32 {
 }
 
 #[test]
+fn over_a_bone_the_status_line_names_the_key_that_poses_in_the_navigation() {
+    let mut editor = Editor::with_hands(Key::V);
+    editor.show_skeleton();
+    for (navigation, key) in [(Navigation::Course, "B"), (Navigation::Blender, "J")] {
+        editor.harness.state_mut().state.set_navigation(navigation);
+        let at = editor.on_bone(LEFT_ELBOW);
+        editor.point(at);
+        let told = format!("Click to select the joint · the Pose tool ({key}) turns it by hand");
+        assert!(editor.has(&told), "{told}");
+    }
+}
+
+#[test]
 fn a_joint_with_a_name_longer_than_the_view_is_dragged_like_any_other() {
     let mut names = COURSE_JOINT_NAMES;
     let long = "Left elbow ".repeat(30);

@@ -104,6 +104,22 @@ fn what_is_no_number_changes_nothing_and_is_said_to_be_none() {
 }
 
 #[test]
+fn a_number_that_a_field_cannot_have_is_told_with_the_one_that_it_has_instead() {
+    let mut editor = Editor::new();
+    editor.choose(&["Insert", "Cube"]);
+    editor.type_into("Uniform Scale", "2");
+    assert_eq!(editor.last_told(), None);
+    editor.type_into("Uniform Scale", "-1");
+    let told = editor.last_told().unwrap_or_default();
+    assert_eq!(
+        told,
+        "Uniform Scale is 0.001 now, the least that it can be: -1 was typed"
+    );
+    let scale = editor.shape().placement.transform.scale;
+    assert!((scale.x - 0.001).abs() < 1e-6, "{scale}");
+}
+
+#[test]
 fn a_right_click_that_cancels_the_drag_of_a_number_does_nothing_to_the_one_under_the_pointer() {
     for (dragged, other) in [("Neck X", "Neck Y"), ("Position X", "Position Y")] {
         for left_first in [true, false] {

@@ -2,9 +2,9 @@
 
 use super::Story;
 use crate::host::MemoryHost;
-use editor_core::editor::Severity;
+use editor_core::editor::{Severity, View};
 use editor_core::program::{HostEvent, Purpose, StorageKey};
-use editor_core::ui::{MeshColors, Navigation};
+use editor_core::ui::{Action, MeshColors, Navigation};
 use egui::{Key, Modifiers, vec2};
 use std::path::Path;
 
@@ -90,6 +90,39 @@ fn what_was_saved_is_opened_again_and_the_version_before_is_kept() {
     let cube = &story.session().scene().shapes()[0];
     assert_eq!(cube.placement.transform.position.x, 2.0);
     assert_eq!(title(&story), "a.scene — Editor");
+}
+
+#[test]
+fn what_is_hidden_is_not_selected_when_it_is_opened_and_x_deletes_none_of_it() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    for key in [Key::C, Key::S] {
+        story.key_with(Modifiers::SHIFT, key);
+    }
+    story.key(Key::H);
+    story.key_with(CTRL, Key::S);
+    story.choose("work/hidden.scene");
+    story.key_with(CTRL, Key::N);
+    story.key_with(CTRL, Key::O);
+    story.choose("work/hidden.scene");
+    assert_eq!(story.names(), ["Strip", "Cube", "Sphere"]);
+    assert_eq!(story.shape().name, "Cube");
+    // Of the list even one that is hidden can be chosen.
+    let sphere = story.session().scene().shapes()[2].id;
+    let select = |shape| vec![Action::View(View::Select(Some(shape)))];
+    story.program.carry_out(select(sphere), &mut story.host);
+    let middle = story.view().center();
+    story.point(middle);
+    story.key(Key::X);
+    assert_eq!(story.names(), ["Strip", "Cube", "Sphere"]);
+    let told = story.messages().last().unwrap().1.to_owned();
+    assert!(
+        told.starts_with("X deletes nothing that is hidden"),
+        "{told}"
+    );
+    story.key(Key::A);
+    story.key(Key::X);
+    assert_eq!(story.names(), ["Sphere"]);
 }
 
 #[test]

@@ -218,6 +218,8 @@ fn a_drag_of_any_of_them_takes_the_others_along_but_none_that_is_locked() {
     }
     story.key_with(Modifiers::SHIFT, Key::L);
     story.key_with(CTRL, Key::A);
+    assert_eq!(selected(&story), ["Cube", "Sphere"], "none that is locked");
+    click_with(&mut story, CTRL, "[3] Pyramid (ID: 3)");
     story.key(Key::G);
     let before = positions(&story);
     let from = story.at(Vec3::new(-1.3, 0.2, 0.5));

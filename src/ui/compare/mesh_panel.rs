@@ -368,7 +368,8 @@ impl Parts<'_> {
                 let edit = Edit::SetPose(self.compare.shape, other.pose.clone());
                 self.actions.push(Action::Edit(edit));
                 if other.joints.iter().any(|joint| joint.is_ambiguous) {
-                    self.actions.push(Action::View(View::Tell(SHARED_TURN)));
+                    self.actions
+                        .push(Action::View(View::Tell(SHARED_TURN.into())));
                 }
             }
             self.load_pose(ui);

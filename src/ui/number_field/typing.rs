@@ -71,7 +71,7 @@ impl NumberField<'_> {
         let just_now = typed.pass + 1 == ui.ctx().cumulative_pass_nr();
         let escaped = ui.input(|input| input.key_pressed(Key::Escape));
         if just_now && !escaped {
-            note_wrong(ui, &typed);
+            self.note_wrong(ui, &typed);
             typed.value()
         } else {
             None
@@ -114,12 +114,28 @@ impl NumberField<'_> {
             if escaped {
                 return (response, stepped);
             }
-            note_wrong(ui, &typed);
+            self.note_wrong(ui, &typed);
             return (response, typed.value().or(stepped));
         }
         typed.pass = ui.ctx().cumulative_pass_nr();
         ui.data_mut(|data| data.insert_temp(id, typed));
         (response, stepped)
+    }
+
+    /// Records for [`take_wrong`] that the field is left with what is no number in it, or one that it cannot have.
+    fn note_wrong(&self, ui: &Ui, typed: &Typed) {
+        let beyond = |value: &f64| self.brought_into_range(*value) != *value;
+        let why = if typed.is_wrong() {
+            NO_NUMBER.to_owned()
+        } else if let Some(value) = typed.value().filter(beyond) {
+            let taken = self.brought_into_range(value);
+            let which = if value < taken { "least" } else { "largest" };
+            let (name, taken, value) = (self.name, precise(taken), precise(value));
+            format!("{name} is {taken} now, the {which} that it can be: {value} was typed")
+        } else {
+            return;
+        };
+        ui.data_mut(|data| data.insert_temp(Id::new(WRONG), why));
     }
 
     /// ↑ and ↓ while typing: changes the text by steps, and returns the new value.
@@ -149,20 +165,14 @@ fn take_back(ui: &Ui, typed: &mut Typed) -> bool {
     undone
 }
 
-/// Key of egui's memory for whether a field was left in a frame with what is no number in it.
-const WRONG: &str = "no number was typed";
+/// Key of egui's memory for why a field that was left in a frame has another number than was typed.
+const WRONG: &str = "another number was typed";
+/// What is told of what is no number.
+const NO_NUMBER: &str = "What was typed is no number, and nothing was changed: a value or an expression such as 45/2 is one";
 
-/// Records that a field is left with what is no number in it, for [`take_wrong`].
-fn note_wrong(ui: &Ui, typed: &Typed) {
-    if typed.is_wrong() {
-        ui.data_mut(|data| data.insert_temp(Id::new(WRONG), true));
-    }
-}
-
-/// Why a field that was left since the last call has its old number, if what was typed into it is none.
-pub(in crate::ui) fn take_wrong(ctx: &Context) -> Option<&'static str> {
-    let wrong: Option<bool> = ctx.data_mut(|data| data.remove_temp(Id::new(WRONG)));
-    wrong.map(|_| "What was typed is no number, and nothing was changed: a value or an expression such as 45/2 is one")
+/// Why a field that was left since the last call has another number than was typed into it, if it has.
+pub(in crate::ui) fn take_wrong(ctx: &Context) -> Option<String> {
+    ctx.data_mut(|data| data.remove_temp(Id::new(WRONG)))
 }
 
 /// Whether the keyboard belongs to a number field into which nothing has been typed yet.

@@ -23,6 +23,7 @@ use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Together, Tool, View, root_of};
 use crate::revision::Revision;
 use crate::scene::{BoneHit, Look, ModelDisplay, ShapeId, bones_in_world};
+use crate::ui::commands::{self, Command};
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
 use crate::ui::{Action, GestureStep};
@@ -202,6 +203,7 @@ pub(super) fn status(
     session: &Session,
     state: &PoseState,
     pointing: Pointing,
+    ctx: &Context,
 ) -> Option<(Option<String>, Cow<'static, str>)> {
     if let Some(gesture) = &state.gesture {
         let held = gesture.held();
@@ -234,10 +236,11 @@ pub(super) fn status(
         return Some((over, ik_status(session, shape, grip).into()));
     }
     let (joint, next) = match state.tool {
-        Tool::Select => (
-            Some(hit.joint),
-            "Click to select the joint · B turns bones by hand",
-        ),
+        Tool::Select => {
+            let tool = commands::with_key(ctx, Command::SetTool(Tool::Pose), "the Pose tool");
+            let next = format!("Click to select the joint · {tool} turns it by hand");
+            return Some((joint_name(session, hit.shape, Some(hit.joint)), next.into()));
+        }
         Tool::Pose if points_at_eye(session, hit) => (
             Some(hit.joint),
             "It points at you: click for rings to turn it by, or look from the side",

@@ -43,7 +43,7 @@ pub(in crate::ui) fn pointer(
             Tool::Rotate => "Put a finger on a ring to turn the shape",
             _ => "Put a finger on a handle to scale the shape",
         };
-        actions.push(Action::View(View::Tell(what)));
+        actions.push(Action::View(View::Tell(what.into())));
     }
     let inserts = |action: &Action| matches!(action, Action::Edit(Edit::Insert(_)));
     if state.asked.is_some() && actions.iter().any(inserts) {
