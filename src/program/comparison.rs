@@ -1,13 +1,14 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
+use super::page_screenshot::view_of_page;
 use super::running::Program;
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
-use crate::editor::View;
+use crate::editor::{Severity, View};
 use crate::geometry::Picture;
 use crate::render::Backdrop;
 use crate::revision::Revision;
-use crate::scene::{Look, Skinning, ViewSettings};
+use crate::scene::{Camera, Look, Skinning, ViewSettings};
 use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
 use egui::{Context, TextureHandle};
 use std::path::{Path, PathBuf};
@@ -27,6 +28,10 @@ pub(super) struct Comparison {
     look_before: Look,
     /// Look that it began with, and the backdrop of the reference.
     looks: (Look, Backdrop),
+    /// Camera from before it, where the one of the page began it that the reference is a screenshot of.
+    camera_before: Option<Camera>,
+    /// Whether panels were cut off the reference.
+    is_cut: bool,
     /// File of the reference.
     path: PathBuf,
     name: String,
@@ -126,6 +131,8 @@ impl Comparison {
         Self {
             look_before,
             looks: (Look::Course, Backdrop::default()),
+            camera_before: None,
+            is_cut: false,
             name: file_name(&path),
             path,
             reference: Textured::new(reference),
@@ -158,6 +165,14 @@ impl Comparison {
         }
     }
 
+    /// Camera that the view goes back to when the comparison ends with `camera`: the one before it, unless it
+    /// was moved meanwhile.
+    pub fn camera_after(&self, camera: Camera) -> Camera {
+        let before = self.camera_before;
+        let is_moved = camera != Camera::of_mannequin();
+        before.filter(|_| !is_moved).unwrap_or(camera)
+    }
+
     /// Loads the textures of pictures that are new.
     pub fn load_textures(&mut self, context: &Context) {
         self.reference.load(context, "reference");
@@ -188,6 +203,7 @@ impl Comparison {
         Some(CompareView {
             name: &self.name,
             look: self.looks.0,
+            is_cut: self.is_cut,
             settings: &self.settings,
             reference: self.reference.shown()?,
             live: self.live.as_ref().and_then(Textured::shown),
@@ -360,7 +376,8 @@ impl Comparison {
 impl Program {
     /// Begins a comparison with the picture `reference` from the file `path`: in the Studio look if that is what
     /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's where the
-    /// document is shown in its look, and otherwise the course's.
+    /// document is shown in its look, and otherwise the course's. Of a screenshot of the Virtual Mannequin's page the view is
+    /// compared, from where the page starts if the camera has not been moved.
     pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
@@ -372,17 +389,41 @@ impl Program {
             (None, Look::Course | Look::Studio) => Look::Course,
         };
         self.session.look(View::SetLook(look));
+        let of_page = Some(&reference)
+            .filter(|_| look == Look::Mannequin)
+            .and_then(view_of_page);
+        let is_cut = of_page.is_some();
+        let reference = of_page.unwrap_or(reference);
         let settings = self.compare_settings();
+        let earlier = self.comparison.as_ref().and_then(|it| it.camera_before);
         let mut comparison = Comparison::new(path, reference, settings, before);
         comparison.looks = (look, studio.unwrap_or_default());
+        comparison.is_cut = is_cut;
+        comparison.camera_before = earlier;
+        let camera = self.session.view().camera;
+        if is_cut && camera == *self.session.start_camera() {
+            comparison.camera_before = Some(camera);
+            self.session.look(View::SetCamera(Camera::of_mannequin()));
+        }
+        if is_cut {
+            let name = &comparison.name;
+            let told = format!(
+                "{name} is compared without the keyframes below it; the camera stands where the page starts, unless you \
+                 had moved it, and goes back afterwards"
+            );
+            self.tell(Severity::Info, told);
+        }
         self.comparison = Some(comparison);
     }
 
     /// Ends the comparison, and goes back to the look from before it unless another was chosen.
     pub(super) fn end_comparison(&mut self) {
         if let Some(comparison) = self.comparison.take() {
-            let look = comparison.look_after(self.session.view().look);
-            self.session.look(View::SetLook(look));
+            let view = *self.session.view();
+            self.session
+                .look(View::SetLook(comparison.look_after(view.look)));
+            let camera = comparison.camera_after(view.camera);
+            self.session.look(View::SetCamera(camera));
         }
     }
 }

@@ -33,6 +33,7 @@ mod job;
 mod meant_file;
 mod mesh_comparison;
 mod mesh_marks;
+mod page_screenshot;
 mod picture_work;
 mod preferences;
 mod purpose;

@@ -58,13 +58,16 @@ impl Program {
         own.is_some_and(|own| files.real(own) == files.real(path))
     }
 
-    /// The view as it is kept with the document: the look of a comparison is for that time only.
+    /// The view as it is kept with the document: the look and the camera of a comparison are for that time only.
     pub(super) fn document_view(&self) -> ViewSettings {
         let view = *self.session.view();
-        let look = self.comparison.as_ref().map(|c| c.look_after(view.look));
-        ViewSettings {
-            look: look.unwrap_or(view.look),
-            ..view
+        match &self.comparison {
+            Some(comparison) => ViewSettings {
+                look: comparison.look_after(view.look),
+                camera: comparison.camera_after(view.camera),
+                ..view
+            },
+            None => view,
         }
     }
 

@@ -39,6 +39,16 @@ impl Default for Camera {
 }
 
 impl Camera {
+    /// The camera with which the Virtual Mannequin starts: at (0, 0, -6), looking at the origin.
+    pub fn of_mannequin() -> Self {
+        Self {
+            radius: 6.0,
+            theta: -FRAC_PI_2,
+            far: 1000.0,
+            ..Self::default()
+        }
+    }
+
     /// One of the six views of the View menu: target at the origin, distance 5.
     pub fn preset(direction: ViewDirection) -> Self {
         let (theta, phi) = direction.angles();

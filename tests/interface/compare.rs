@@ -44,6 +44,7 @@ impl Comparing {
         CompareView {
             name: "sample.png",
             look: self.look,
+            is_cut: false,
             settings: &self.settings,
             reference: shown(&self.reference, TEXTURES[0]),
             live: Some(shown(&self.live, TEXTURES[1])),

@@ -6,7 +6,7 @@ use editor_core::compare::Area;
 use editor_core::editor::View;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::program::{HostEvent, Purpose, RunningJob};
-use editor_core::scene::Look;
+use editor_core::scene::{Camera, Look};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
 use egui::{Key, vec2};
 use std::path::Path;
@@ -437,4 +437,67 @@ fn a_document_in_the_mannequin_look_is_compared_in_it() {
     assert!(has_text(&story, "0 of 60000"), "{:?}", texts(&story));
     story.click("Stop comparing");
     assert_eq!(story.session().view().look, Look::Mannequin);
+}
+
+#[test]
+fn a_screenshot_of_the_mannequins_page_is_compared_without_its_keyframes_from_where_the_page_starts()
+ {
+    for is_moved in [false, true] {
+        let mut story = Story::start(&["models/strip.obj"]);
+        let look = Action::View(View::SetLook(Look::Mannequin));
+        story.program.carry_out(vec![look], &mut story.host);
+        let start = story.session().view().camera;
+        let moved = Camera {
+            radius: 7.0,
+            ..start
+        };
+        let seen = |camera| vec![Action::View(View::SetCamera(camera))];
+        let of_page = if is_moved {
+            moved
+        } else {
+            Camera::of_mannequin()
+        };
+        story.program.carry_out(seen(of_page), &mut story.host);
+        story.save_view((300, 200), "page.png");
+        let saved = &story.host.written[Path::new("page.png")];
+        let mut page = image::decode(Path::new("page.png"), saved).unwrap();
+        page.height += 200;
+        page.rgba.extend([26, 26, 26, 255].repeat(300 * 200));
+        let bytes = image::encode(&page, PictureFormat::Png).unwrap();
+        story.host.files.insert("page.png".into(), bytes);
+        let camera = if is_moved { moved } else { start };
+        story.program.carry_out(seen(camera), &mut story.host);
+
+        story.key(Key::F8);
+        story.choose("page.png");
+        assert_eq!(story.session().view().camera, of_page);
+        smooth_edges(&mut story);
+        judge(&mut story);
+        assert!(has_text(&story, "0 of 60000"), "{:?}", texts(&story));
+        story.click("Stop comparing");
+        assert_eq!(story.session().view().camera, camera);
+    }
+}
+
+#[test]
+fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let start = story.session().view().camera;
+    let look = Action::View(View::SetLook(Look::Mannequin));
+    story.program.carry_out(vec![look], &mut story.host);
+    let moved = Camera {
+        radius: 7.0,
+        ..start
+    };
+    let seen = vec![Action::View(View::SetCamera(moved))];
+    story.program.carry_out(seen, &mut story.host);
+    story.key(Key::Home);
+    assert_eq!(story.session().view().camera, start);
+    story.key(Key::Home);
+    let camera = story.session().view().camera;
+    assert!(
+        camera
+            .eye()
+            .abs_diff_eq(glam::Vec3::new(0.0, 0.0, -6.0), 1e-5)
+    );
 }

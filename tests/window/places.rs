@@ -57,6 +57,7 @@ fn middle_in(
             let compare = compared.as_ref().map(|picture| CompareView {
                 name: "reference.png",
                 look: Look::Course,
+                is_cut: false,
                 settings: &settings,
                 reference: ShownPicture {
                     picture,

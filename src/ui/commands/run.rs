@@ -225,6 +225,11 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         {
             return Some(Action::View(View::SetCamera(Camera::default())));
         }
+        Command::ResetCamera
+            if view.look == Look::Mannequin && view.camera == *session.start_camera() =>
+        {
+            return Some(Action::View(View::SetCamera(Camera::of_mannequin())));
+        }
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
         Command::Fit | Command::FitAll => {
             let area = view_overlay::fit_area(state, aspect);

@@ -231,7 +231,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ViewFrom(ViewDirection::MinusY), Menu::Directions, "View from -Y (Bottom)", "Look from below; in the course's navigation at the origin", &[key(CTRL, Key::Num7)]),
     entry(Command::ViewFrom(ViewDirection::PlusZ), Menu::Directions, "View from +Z (Front)", "Look from +Z; in the course's navigation at the origin", &[key(NONE, Key::Num1)]),
     entry(Command::ViewFrom(ViewDirection::MinusZ), Menu::Directions, "View from -Z (Back)", "Look from -Z; in the course's navigation at the origin", &[key(CTRL, Key::Num1)]).also("rear behind"),
-    entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started; once more, in the Course look, to where the course's editor starts", &[key(NONE, Key::Home)]).also("home zoom"),
+    entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started; once more, in the Course or the Mannequin look, to where that program starts", &[key(NONE, Key::Home)]).also("home zoom"),
     only_in(Navigation::Mannequin, entry(Command::ResetViewAndPose, Menu::View, "Reset View and Pose", "Put the camera and every character back to where they started, posed as they were opened", &[key(NONE, Key::R)])),
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]).also("frame focus zoom center"),
     entry(Command::FitAll, Menu::View, "Fit All to View", "Fill the view with everything, whatever is selected", &[key(SHIFT, Key::F)]).also("frame focus zoom center"),

@@ -1,3 +1,4 @@
+use super::CompareView;
 use super::settings::{course_panels, mannequin_panels};
 use crate::compare::Area as Mask;
 use crate::scene::Look;
@@ -18,7 +19,8 @@ const GRIP: f32 = 4.0;
 const LABEL: Vec2 = vec2(56.0, 18.0);
 
 /// What adds masks.
-pub(super) fn buttons(ui: &mut Ui, size: (u32, u32), look: Look, masks: &mut Vec<Mask>) {
+pub(super) fn buttons(ui: &mut Ui, compare: &CompareView<'_>, look: Look, masks: &mut Vec<Mask>) {
+    let size = compare.size();
     let room = masks.len() < MOST;
     let (panels, whose) = match look {
         Look::Mannequin => (
@@ -31,10 +33,18 @@ pub(super) fn buttons(ui: &mut Ui, size: (u32, u32), look: Look, masks: &mut Vec
         ),
     };
     let masked = panels.iter().all(|panel| masks.contains(panel));
+    let gone = if compare.is_cut {
+        "They are cut off"
+    } else {
+        "They are masked"
+    };
     let course = ui
-        .add_enabled(room && !masked, Button::new("Mask its panels"))
+        .add_enabled(
+            room && !masked && !compare.is_cut,
+            Button::new("Mask its panels"),
+        )
         .on_hover_text(whose)
-        .on_disabled_hover_text("They are masked");
+        .on_disabled_hover_text(gone);
     if course.clicked() {
         for panel in panels {
             if !masks.contains(&panel) {

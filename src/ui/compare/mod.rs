@@ -34,6 +34,8 @@ pub struct CompareView<'a> {
     pub name: &'a str,
     /// Look of the reference, as far as it can be told.
     pub look: Look,
+    /// Whether the panels of the program that it is from were cut off it.
+    pub is_cut: bool,
     /// What is chosen now.
     pub settings: &'a CompareSettings,
     /// A.

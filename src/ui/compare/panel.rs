@@ -160,7 +160,7 @@ fn settings(
         if mannequin.clicked() {
             actions.push(Action::View(View::SetLook(Look::Mannequin)));
         }
-        masks::buttons(ui, compare.size(), look, &mut changed.masks);
+        masks::buttons(ui, compare, look, &mut changed.masks);
     });
     masks::list(ui, compare.size(), &mut changed.masks);
 }

@@ -1,0 +1,63 @@
+//! Screenshots of the Virtual Mannequin's page, which show its keyframes below the view.
+
+use crate::geometry::Picture;
+
+/// Height of the strip of keyframes and the timeline in the page's window, in pixels.
+const STRIP_HEIGHT: usize = 200;
+/// Rows at the top of the strip in which nothing but its color is drawn, below the frame of the view, …
+const EMPTY_ROWS: std::ops::Range<usize> = 2..40;
+/// … of which this share has that color at least: pictures of keyframes may begin there.
+const MOST: f64 = 0.9;
+/// The strip's color, which browsers draw a little differently.
+const COLOR: std::ops::RangeInclusive<u8> = 24..=28;
+
+/// The part of a screenshot of the page that shows its view; `None` for another picture.
+pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let of_view = height.checked_sub(STRIP_HEIGHT).filter(|&rows| rows > 0)?;
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    let rows = of_view + EMPTY_ROWS.start..of_view + EMPTY_ROWS.end;
+    let empty = pixels.get(rows.start * width..rows.end * width)?;
+    let is_of_strip =
+        |[red, green, blue, _]: &&[u8; 4]| red == green && green == blue && COLOR.contains(red);
+    let share = empty.iter().filter(is_of_strip).count() as f64 / empty.len().max(1) as f64;
+    (share >= MOST).then(|| Picture {
+        width: picture.width,
+        height: of_view as u32,
+        rgba: picture.rgba[..4 * of_view * width].to_vec(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn screenshot(height: u32, strip: u8) -> Picture {
+        let rows = (0..height).flat_map(|row| {
+            let is_of_view = row + STRIP_HEIGHT as u32 <= height;
+            let gray = if is_of_view { 174 } else { strip };
+            [[gray, gray, gray, 255]; 30].into_iter().flatten()
+        });
+        Picture {
+            width: 30,
+            height,
+            rgba: rows.collect(),
+        }
+    }
+
+    #[test]
+    fn only_a_screenshot_with_the_strip_of_keyframes_is_cut() {
+        for gray in [25, 26] {
+            let view = view_of_page(&screenshot(260, gray)).expect("a strip");
+            assert_eq!((view.width, view.height), (30, 60));
+            assert!(view.rgba.chunks(4).all(|pixel| pixel[0] == 174));
+        }
+        for (height, gray) in [(260, 90), (200, 26), (20, 26), (0, 26)] {
+            assert_eq!(view_of_page(&screenshot(height, gray)), None);
+        }
+        // Teal is the background of the view.
+        let mut teal = screenshot(260, 26);
+        teal.rgba.chunks_mut(4).for_each(|pixel| pixel[1] = 95);
+        assert_eq!(view_of_page(&teal), None);
+    }
+}
