@@ -6,7 +6,7 @@ use super::pipes::Ends;
 use super::{CliError, arguments, print};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NoNumbers, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
+    Diagnosis, NoNumbers, PictureDiagnosis, ToldFor, Verdict, diagnose, diagnose_picture, may_be_of,
 };
 use crate::disk::{as_given, files};
 use crate::io::{
@@ -88,16 +88,17 @@ impl Args {
 /// # Errors
 /// If a file is wrong, they do not fit each other, or the mesh is not right.
 pub fn run(args: &Args) -> Result<(), CliError> {
+    let program = ToldFor::of_file(args.character.to_str());
     if is_mesh(&args.theirs) {
         if args.camera.chosen().is_some() {
             let message = "--camera and --view are for pictures, found a mesh";
             return Err(CliError::Usage(message.to_owned()));
         }
-        report(args, of_mesh(args), Diagnosis::is_right)
+        let found = of_mesh(args).map(|found| found.told_for(program));
+        report(args, found, Diagnosis::is_right)
     } else {
-        report(args, of_picture(args), |found| {
-            found.verdict == Verdict::Right
-        })
+        let found = of_picture(args).map(|found| found.told_for(program));
+        report(args, found, |found| found.verdict == Verdict::Right)
     }
 }
 

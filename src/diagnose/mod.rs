@@ -13,6 +13,7 @@ mod found_otherwise;
 mod job;
 mod joint_transforms;
 mod made_alone;
+mod mannequin_words;
 mod measure;
 mod mistaken;
 mod mistakes;
@@ -46,6 +47,7 @@ pub use formula::{
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;
+pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_after, skin_by};
 pub use mistakes::{MISTAKES, MOVED_AS_A_WHOLE, Mistake, POSE_NOT_APPLIED, Reading};

@@ -4,7 +4,7 @@ use super::Host;
 use super::files::file_name;
 use super::job::{Job, JobHandle, MeshDiagnosed, Work};
 use crate::diagnose::{
-    DiagnoseError, Diagnosis, MeshJob, MeshMeasure, NoNumbers, may_be_of, measure, of_size,
+    DiagnoseError, Diagnosis, MeshJob, MeshMeasure, NoNumbers, ToldFor, may_be_of, measure, of_size,
 };
 use crate::editor::Session;
 use crate::geometry::{Mesh, SharedMesh};
@@ -245,15 +245,15 @@ impl MeshComparison {
         Some(LOOK)
     }
 
-    /// Takes in the result of a search. That of another pose, or another mesh, is ignored.
-    pub fn take_result(&mut self, result: MeshDiagnosed) {
+    /// Takes in the result of a search, told for a program. That of another pose, or another mesh, is ignored.
+    pub fn take_result(&mut self, result: MeshDiagnosed, program: ToldFor) {
         let is_of = |search: &mut Search| search.own == result.of;
         if let Some(search) = self.running.take_if(is_of) {
-            let put_back = |found: Diagnosis| match &self.no_numbers {
-                Some(no_numbers) => no_numbers.put_back_into(&found),
-                None => found,
+            let told = |found: Diagnosis| match &self.no_numbers {
+                Some(no_numbers) => no_numbers.put_back_into(&found).told_for(program),
+                None => found.told_for(program),
             };
-            self.diagnosis = Some((search.pose, result.outcome.map(put_back)));
+            self.diagnosis = Some((search.pose, result.outcome.map(told)));
         }
     }
 }

@@ -15,11 +15,12 @@ use super::questions::Asked;
 use super::reading::Readings;
 use super::start_pictures::StartPictures;
 use super::{FileKind, Host, HostEvent, NotStored, globals};
+use crate::diagnose::ToldFor;
 use crate::editor::{Session, Severity};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::Backdrop;
 use crate::revision::Revision;
-use crate::scene::{FitArea, ShapeId, Skinning};
+use crate::scene::{FitArea, Shape, ShapeId, Skinning};
 use crate::ui::{self, Screenshot, UiOutput, UiState};
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 use std::path::PathBuf;
@@ -379,7 +380,9 @@ impl Program {
                     }
                     Finished::Diagnosed(result) => {
                         if let Some(comparison) = &mut self.mesh_comparison {
-                            comparison.take_result(*result);
+                            let shape = self.session.scene().shape(comparison.shape);
+                            let file = shape.and_then(Shape::source_file);
+                            comparison.take_result(*result, ToldFor::of_file(file));
                         }
                     }
                     Finished::Read { of, read } => self.take_read(of, read),

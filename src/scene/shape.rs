@@ -49,6 +49,11 @@ impl Shape {
         front(&self.kind, &self.placement)
     }
 
+    /// Path of the file that it came from, if it came from one.
+    pub fn source_file(&self) -> Option<&str> {
+        self.source.as_ref().map(|source| &*source.file)
+    }
+
     /// See [`super::Scene::memory`].
     pub(super) fn memory(&self, counted: &mut HashSet<usize>) -> usize {
         let file = self.source.as_ref().map_or(0, |source| source.file.len());

@@ -364,3 +364,30 @@ fn what_export_writes_is_right_and_with_four_influences_is_told_to_have_four() {
         "{told}"
     );
 }
+
+#[test]
+fn what_is_wrong_with_a_program_that_reads_collada_files_is_told_without_the_courses_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let rig = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/rigs/column.dae");
+    fs::copy(rig, folder.path().join("column.dae")).unwrap();
+    let poses = r#"{"joints": {"Lower": [10, 20, 30], "Upper": [40, -30, 20]}}"#;
+    fs::write(folder.path().join("bend.json"), poses).unwrap();
+    let at_rest = editor_in(folder.path(), &["export", "column.dae", "-o", "rest.obj"]);
+    assert_eq!(at_rest.code, Some(0), "{}", at_rest.err);
+    let ran = diagnose(folder.path(), "rest.obj", "column.dae", "bend.json");
+    assert!(ran.out.starts_with("pose-not-applied: "), "{}", ran.out);
+    let told = "\n  section  Turning bones\n  look at  whether the rotations of the bones reach the matrices";
+    assert!(ran.out.contains(told), "{}", ran.out);
+    // One that nothing explains is told so, too.
+    let nearly: String = fs::read_to_string(folder.path().join("rest.obj")).unwrap();
+    let mut lines: Vec<&str> = nearly.lines().collect();
+    let first = lines
+        .iter()
+        .position(|line| line.starts_with("v "))
+        .unwrap();
+    lines[first] = "v 9 9 9";
+    fs::write(folder.path().join("nearly.obj"), lines.join("\n")).unwrap();
+    let ran = diagnose(folder.path(), "nearly.obj", "column.dae", "bend.json");
+    assert!(ran.out.contains("nearest  pose-not-applied"), "{}", ran.out);
+    assert!(!ran.out.contains("setJointTransform"), "{}", ran.out);
+}

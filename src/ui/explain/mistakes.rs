@@ -1,8 +1,8 @@
 //! The list of mistakes, each of which can be made by a click.
 
 use super::shown::{Made, capitalized};
-use crate::diagnose::{MISTAKES, Mistake};
-use crate::scene::ShapeId;
+use crate::diagnose::{MISTAKES, Mistake, ToldFor, ToldMistake};
+use crate::scene::Shape;
 use crate::ui::CompareMeshView;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::{named, section};
@@ -14,9 +14,11 @@ use std::collections::BTreeSet;
 pub(super) fn show(
     ui: &mut Ui,
     compare: Option<&CompareMeshView>,
-    character: Option<ShapeId>,
+    character: Option<&Shape>,
     made: &mut Option<Made>,
 ) {
+    let program = ToldFor::of_file(character.and_then(Shape::source_file));
+    let character = character.map(|shape| shape.id);
     section(ui, "Make this mistake");
     let weak = Palette::of(ui.visuals()).weak;
     let hint = match compare {
@@ -32,10 +34,13 @@ pub(super) fn show(
     sections.retain(|section| known.insert(*section));
     for section in sections {
         ui.add_space(4.0);
-        ui.label(RichText::new(section).small().color(weak));
         let mistakes = MISTAKES.iter().filter(|mistake| mistake.section == section);
-        for mistake in mistakes {
-            row(ui, mistake, made);
+        for (index, mistake) in mistakes.enumerate() {
+            let told = mistake.told_for(program);
+            if index == 0 {
+                ui.label(RichText::new(told.section).small().color(weak));
+            }
+            row(ui, mistake, &told, made);
         }
     }
 }
@@ -64,15 +69,15 @@ fn found(ui: &mut Ui, compare: &CompareMeshView, made: &mut Option<Made>) {
     }
 }
 
-fn row(ui: &mut Ui, mistake: &'static Mistake, made: &mut Option<Made>) {
+fn row(ui: &mut Ui, mistake: &'static Mistake, told: &ToldMistake, made: &mut Option<Made>) {
     let is_made = made.is_some_and(|made| std::ptr::eq(made.mistake, mistake));
-    let sentence = capitalized(mistake.meaning);
+    let sentence = capitalized(told.meaning);
     let button = Button::selectable(is_made, &sentence)
         .wrap()
         .min_size(egui::vec2(ui.available_width(), 0.0));
     let button = named(ui.add(button), &sentence);
     let clicked = button
-        .on_hover_text(format!("{}: {}", mistake.id, mistake.look_at))
+        .on_hover_text(format!("{}: {}", mistake.id, told.look_at))
         .clicked();
     if clicked {
         let first = mistake.readings.first();
@@ -96,7 +101,7 @@ fn row(ui: &mut Ui, mistake: &'static Mistake, made: &mut Option<Made>) {
             }
         }
         let weak = Palette::of(ui.visuals()).weak;
-        let look_at = format!("In the code: {}.", mistake.look_at);
+        let look_at = format!("In the code: {}.", told.look_at);
         ui.add(Label::new(RichText::new(look_at).small().color(weak)).wrap());
     });
 }

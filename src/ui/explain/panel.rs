@@ -107,6 +107,7 @@ fn formula(
         ui.label(NOBODY);
         return;
     }
+    let character = state.character.and_then(|id| session.scene().shape(id));
     if !has_room_for_columns(ui) {
         ScrollArea::vertical()
             .id_salt(("formula", state.picks))
@@ -114,7 +115,7 @@ fn formula(
             .show(ui, |ui| {
                 numbers(ui, session, compare, state);
                 ui.separator();
-                mistakes::show(ui, compare, state.character, &mut state.made);
+                mistakes::show(ui, compare, character, &mut state.made);
             });
         return;
     }
@@ -128,7 +129,7 @@ fn formula(
     });
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         area(Id::new("mistakes")).show(ui, |ui| {
-            mistakes::show(ui, compare, state.character, &mut state.made)
+            mistakes::show(ui, compare, character, &mut state.made)
         });
     });
 }
