@@ -375,24 +375,23 @@ impl Comparison {
 
 impl Program {
     /// Begins a comparison with the picture `reference` from the file `path`: in the Studio look if that is what
-    /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's where the
-    /// document is shown in its look, and otherwise the course's. Of a screenshot of the Virtual Mannequin's page the view is
-    /// compared, from where the page starts if the camera has not been moved.
+    /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's for a
+    /// screenshot of its page and where the document is shown in its look, and otherwise the course's. Of such a screenshot
+    /// the view is compared, from where the page starts if the camera has not been moved.
     pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
         self.mesh_comparison = None;
         let studio = Backdrop::of_studio(&reference);
+        let of_page = view_of_page(&reference);
+        let is_cut = of_page.is_some();
         let look = match (studio, before) {
+            _ if is_cut => Look::Mannequin,
             (Some(_), _) => Look::Studio,
             (None, Look::Mannequin) => Look::Mannequin,
             (None, Look::Course | Look::Studio) => Look::Course,
         };
         self.session.look(View::SetLook(look));
-        let of_page = Some(&reference)
-            .filter(|_| look == Look::Mannequin)
-            .and_then(view_of_page);
-        let is_cut = of_page.is_some();
         let reference = of_page.unwrap_or(reference);
         let settings = self.compare_settings();
         let earlier = self.comparison.as_ref().and_then(|it| it.camera_before);

@@ -1,27 +1,36 @@
 //! Screenshots of the Virtual Mannequin's page, which show its keyframes below the view.
 
 use crate::geometry::Picture;
+use std::ops::{Range, RangeInclusive};
 
 /// Height of the strip of keyframes and the timeline in the page's window, in pixels.
 const STRIP_HEIGHT: usize = 200;
 /// Rows at the top of the strip in which nothing but its color is drawn, below the frame of the view, …
-const EMPTY_ROWS: std::ops::Range<usize> = 2..40;
-/// … of which this share has that color at least: pictures of keyframes may begin there.
-const MOST: f64 = 0.9;
+const EMPTY_ROWS: Range<usize> = 2..40;
+/// … of which this share has that color at least: all but the frame at the sides.
+const MOST: f64 = 0.98;
+/// Rows at the bottom of the view, of which the floor leaves no more than this share in that color, which is also that of
+/// the background in the course's pictures.
+const LAST_ROWS: usize = 8;
+const LEAST: f64 = 0.1;
 /// The strip's color, which browsers draw a little differently.
-const COLOR: std::ops::RangeInclusive<u8> = 24..=28;
+const COLOR: RangeInclusive<u8> = 24..=28;
 
 /// The part of a screenshot of the page that shows its view; `None` for another picture.
 pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let of_view = height.checked_sub(STRIP_HEIGHT).filter(|&rows| rows > 0)?;
     let (pixels, _) = picture.rgba.as_chunks::<4>();
-    let rows = of_view + EMPTY_ROWS.start..of_view + EMPTY_ROWS.end;
-    let empty = pixels.get(rows.start * width..rows.end * width)?;
     let is_of_strip =
         |[red, green, blue, _]: &&[u8; 4]| red == green && green == blue && COLOR.contains(red);
-    let share = empty.iter().filter(is_of_strip).count() as f64 / empty.len().max(1) as f64;
-    (share >= MOST).then(|| Picture {
+    let share = |rows: Range<usize>| {
+        let pixels = pixels.get(rows.start * width..rows.end * width)?;
+        let of_strip = pixels.iter().filter(is_of_strip).count();
+        Some(of_strip as f64 / pixels.len().max(1) as f64)
+    };
+    let in_strip = share(of_view + EMPTY_ROWS.start..of_view + EMPTY_ROWS.end)?;
+    let in_view = share(of_view.saturating_sub(LAST_ROWS)..of_view)?;
+    (in_strip >= MOST && in_view <= LEAST).then(|| Picture {
         width: picture.width,
         height: of_view as u32,
         rgba: picture.rgba[..4 * of_view * width].to_vec(),
@@ -55,6 +64,11 @@ mod tests {
         for (height, gray) in [(260, 90), (200, 26), (20, 26), (0, 26)] {
             assert_eq!(view_of_page(&screenshot(height, gray)), None);
         }
+        let mut dark = screenshot(260, 26);
+        dark.rgba
+            .chunks_mut(4)
+            .for_each(|pixel| pixel[..3].fill(26));
+        assert_eq!(view_of_page(&dark), None);
         // Teal is the background of the view.
         let mut teal = screenshot(260, 26);
         teal.rgba.chunks_mut(4).for_each(|pixel| pixel[1] = 95);

@@ -2,6 +2,7 @@
 
 use super::Story;
 use crate::host::MemoryHost;
+use crate::reference_data::reference;
 use editor_core::compare::Area;
 use editor_core::editor::View;
 use editor_core::io::image::{self, PictureFormat};
@@ -444,8 +445,11 @@ fn a_screenshot_of_the_mannequins_page_is_compared_without_its_keyframes_from_wh
  {
     for is_moved in [false, true] {
         let mut story = Story::start(&["models/strip.obj"]);
-        let look = Action::View(View::SetLook(Look::Mannequin));
-        story.program.carry_out(vec![look], &mut story.host);
+        let before = story.session().view().look;
+        let look = |look| vec![Action::View(View::SetLook(look))];
+        story
+            .program
+            .carry_out(look(Look::Mannequin), &mut story.host);
         let start = story.session().view().camera;
         let moved = Camera {
             radius: 7.0,
@@ -467,14 +471,17 @@ fn a_screenshot_of_the_mannequins_page_is_compared_without_its_keyframes_from_wh
         story.host.files.insert("page.png".into(), bytes);
         let camera = if is_moved { moved } else { start };
         story.program.carry_out(seen(camera), &mut story.host);
+        story.program.carry_out(look(before), &mut story.host);
 
         story.key(Key::F8);
         story.choose("page.png");
+        assert_eq!(story.session().view().look, Look::Mannequin);
         assert_eq!(story.session().view().camera, of_page);
         smooth_edges(&mut story);
         judge(&mut story);
         assert!(has_text(&story, "0 of 60000"), "{:?}", texts(&story));
         story.click("Stop comparing");
+        assert_eq!(story.session().view().look, before);
         assert_eq!(story.session().view().camera, camera);
     }
 }
@@ -500,4 +507,29 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
             .eye()
             .abs_diff_eq(glam::Vec3::new(0.0, 0.0, -6.0), 1e-5)
     );
+}
+
+#[test]
+fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges() {
+    let shot = reference("mannequin/shots/robot_start_camera.png");
+    let robot = reference("mannequin/robot.dae");
+    let (Some(shot), Some(robot)) = (shot, robot) else {
+        return;
+    };
+    let mut host = MemoryHost::default();
+    for (name, path) in [("page.png", shot), ("robot.dae", robot)] {
+        let bytes = std::fs::read(path).unwrap();
+        host.files.insert(name.into(), bytes);
+    }
+    let mut story = Story::start_at(host, &["robot.dae"]);
+    story.key(Key::F8);
+    story.choose("page.png");
+    judge(&mut story);
+    let of_pixels = texts(&story)
+        .into_iter()
+        .find(|text| text.contains(" of 480000"));
+    let text = of_pixels.expect("the view without the keyframes");
+    let differing: u32 = text.split(' ').next().unwrap().parse().unwrap();
+    // With the fitted view, or with the strip, more than half do.
+    assert!(differing < 480_000 / 4, "{text}");
 }
