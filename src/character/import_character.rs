@@ -2,13 +2,14 @@ use super::bones::bones;
 use super::dual_quaternions;
 use super::skinning::{self, ConservativeBounds};
 use super::{
-    Attachments, AttachmentsError, JointBone, Pose, SkeletalModel, Skinned, SkinningBlocks,
+    Attachments, AttachmentsError, FileFrames, JointBone, Pose, SkeletalModel, Skinned,
+    SkinningBlocks,
 };
 use crate::geometry::{Mesh, Normals, SharedMesh};
 use crate::math::Aabb;
 use fearless_simd::Level;
 use glam::{Mat4, Vec3};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Character: a skeleton with a mesh bound to it.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub struct Character {
     /// The weights once more, for skinning; made when they are first needed, which is never where the
     /// graphics card skins. `None` if it has no use for blocks.
     blocks: OnceLock<Option<SkinningBlocks>>,
+    /// Frames of its file, if they are others.
+    file_frames: Option<Arc<FileFrames>>,
 }
 
 /// Reason why mesh, weights and skeleton do not make a character.
@@ -73,7 +76,22 @@ impl Character {
             bones,
             bounds,
             blocks: OnceLock::new(),
+            file_frames: None,
         })
+    }
+
+    /// The same with the frames that its file has, one for each joint.
+    #[must_use]
+    pub fn with_file_frames(self, frames: FileFrames) -> Self {
+        Self {
+            file_frames: Some(Arc::new(frames)),
+            ..self
+        }
+    }
+
+    /// Frames of its file, if they are others.
+    pub fn file_frames(&self) -> Option<&FileFrames> {
+        self.file_frames.as_deref()
     }
 
     /// The same with some of its vertices: those of `bind_mesh`, with their rows.
@@ -89,6 +107,7 @@ impl Character {
             bones: self.bones.clone(),
             bounds: self.bounds.clone(),
             blocks: OnceLock::new(),
+            file_frames: self.file_frames.clone(),
         }
     }
 

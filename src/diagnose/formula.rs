@@ -16,6 +16,8 @@ pub struct Formula {
     pub bind_chain: Chain,
     /// Which of T and B move a vertex.
     pub factors: Factors,
+    /// Whether vertices are placed by the matrix of a Collada file's skin first.
+    pub is_shaped: bool,
     /// What is divided by its fourth coordinate then.
     pub divided: Divided,
     /// Which weights count.
@@ -212,6 +214,8 @@ pub enum Factors {
     Exact,
     /// T.
     NoInverseBind,
+    /// T with the turn that a Collada file gives the joint at rest.
+    NoInverseBindOfFile,
     /// B⁻¹.
     InverseBindOnly,
     /// T · B.
@@ -220,6 +224,8 @@ pub enum Factors {
     Swapped,
     /// (T · B⁻¹)ᵀ, by which a row is multiplied on the left of T · B⁻¹.
     Transposed,
+    /// Tᵀ · B⁻ᵀ.
+    EachTransposed,
     /// Tᵀ · B⁻¹.
     CurrentTransposed,
     /// T · B⁻ᵀ.
@@ -253,6 +259,8 @@ pub enum Factor {
     BindTransposed,
     /// T⁻¹.
     InverseCurrent,
+    /// The turn that a Collada file gives the joint at rest.
+    TurnInFile,
 }
 
 impl Factors {
@@ -262,10 +270,12 @@ impl Factors {
         match self {
             Self::Exact => &[Factor::InverseBind, Factor::Current],
             Self::NoInverseBind => &[Factor::Current],
+            Self::NoInverseBindOfFile => &[Factor::TurnInFile, Factor::Current],
             Self::InverseBindOnly => &[Factor::InverseBind],
             Self::BindNotInverted => &[Factor::Bind, Factor::Current],
             Self::Swapped => &[Factor::Current, Factor::InverseBind],
             Self::Transposed => &[Factor::CurrentTransposed, Factor::InverseBindTransposed],
+            Self::EachTransposed => &[Factor::InverseBindTransposed, Factor::CurrentTransposed],
             Self::CurrentTransposed => &[Factor::InverseBind, Factor::CurrentTransposed],
             Self::InverseBindTransposed => &[Factor::InverseBindTransposed, Factor::Current],
             Self::BindTransposed => &[Factor::BindTransposed, Factor::Current],
@@ -364,6 +374,7 @@ impl Default for Formula {
             chain: Chain::ParentOwn,
             bind_chain: Chain::ParentOwn,
             factors: Factors::Exact,
+            is_shaped: true,
             divided: Divided::Nothing,
             weights: WeightFormula {
                 rows: Rows::Exact,

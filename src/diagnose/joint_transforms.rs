@@ -5,7 +5,7 @@ use super::formula::{
     Popped,
 };
 use super::model::Model;
-use crate::character::Pose;
+use crate::character::{FileFrames, Pose};
 use glam::{DAffine3, DMat3, DMat4, DVec3};
 
 /// The transforms of all joints from their frames to model space, by a formula.
@@ -17,6 +17,8 @@ pub(super) struct Joints {
     bind: Vec<DAffine3>,
     /// Joint that each index of a program means.
     order: Vec<usize>,
+    /// Frames of the character's file.
+    frames: Option<FileFrames>,
 }
 
 impl Joints {
@@ -94,7 +96,14 @@ impl Joints {
             current,
             bind,
             order,
+            frames: model.character.file_frames().cloned(),
         }
+    }
+
+    /// What vertices at rest are multiplied by before all else.
+    pub(super) fn shape(&self, formula: &Formula) -> DMat4 {
+        let unshaped = self.frames.as_ref().and_then(|frames| frames.unshaped);
+        unshaped.filter(|_| !formula.is_shaped).unwrap_or_default()
     }
 
     /// A matrix of `joint`.
@@ -104,6 +113,10 @@ impl Joints {
             Factor::Current => current.into(),
             Factor::Bind => bind.into(),
             Factor::InverseBind => bind.inverse().into(),
+            Factor::TurnInFile => {
+                let turned = self.frames.as_ref().and_then(|it| it.turned.get(joint));
+                turned.copied().unwrap_or_default()
+            }
             Factor::CurrentTransposed => DMat4::from(current).transpose(),
             Factor::BindTransposed => DMat4::from(bind).transpose(),
             Factor::InverseCurrent => current.inverse().into(),
@@ -135,7 +148,7 @@ impl Joints {
     pub(super) fn palette(&self, formula: &Formula) -> Vec<Option<DMat4>> {
         let product = |joint: usize| {
             let factors = formula.factors.in_order().iter();
-            factors.fold(DMat4::IDENTITY, |product, &factor| {
+            factors.fold(self.shape(formula), |product, &factor| {
                 self.matrix(factor, joint) * product
             })
         };

@@ -154,13 +154,20 @@ pub static MISTAKES: &[Mistake] = &[
             }),
         ],
     },
-    one_way!(
-        "no-inverse-bind",
-        SSD,
-        "vertices are moved by T alone, without the inverse of B",
-        "updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled",
-        |formula| formula.factors = Factors::NoInverseBind
-    ),
+    Mistake {
+        id: "no-inverse-bind",
+        meaning: "vertices are moved by T alone, without the inverse of B",
+        section: SSD,
+        look_at: "updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled",
+        readings: &[
+            reading("in frames parallel to the model's axes", |formula| {
+                formula.factors = Factors::NoInverseBind;
+            }),
+            reading("in the frames of a Collada file", |formula| {
+                formula.factors = Factors::NoInverseBindOfFile;
+            }),
+        ],
+    },
     one_way!(
         "inverse-bind-only",
         SSD,
@@ -226,6 +233,16 @@ pub static MISTAKES: &[Mistake] = &[
             reading("of the inverse of B", |formula| {
                 formula.factors = Factors::InverseBindTransposed;
             }),
+            // A product of transposed matrices is that of the others the other way round, transposed. Its fourth row has the
+            // offsets, which are lost, whether in B as well or not.
+            reading(
+                "of each joint's own transform, so that offsets are lost",
+                |formula| {
+                    formula.chain = Chain::OwnParent;
+                    formula.bind_chain = Chain::OwnParent;
+                    formula.factors = Factors::EachTransposed;
+                },
+            ),
         ],
     },
     Mistake {

@@ -419,6 +419,16 @@ static SUM_DIVIDED: Mistake = Mistake {
     })],
 };
 
+/// A mistake with the matrix that a Collada file's skin has for its mesh.
+static BIND_SHAPE_MISSING: Mistake = Mistake {
+    id: "bind-shape-missing",
+    meaning: "vertices are not placed by the skin's own matrix first",
+    section: SSD,
+    look_at: "where the skin of a Collada file is read: its bind_shape_matrix comes first to each vertex, before the \
+              inverse of B",
+    readings: &[reading("", |formula| formula.is_shaped = false)],
+};
+
 /// A mistake in the type of weights.
 static WEIGHTS_ROUNDED: Mistake = Mistake {
     id: "weights-rounded",
@@ -436,7 +446,8 @@ static WEIGHTS_ROUNDED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 24] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 25] = [
+    &BIND_SHAPE_MISSING,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &ROOT_NOT_MOVED,

@@ -76,7 +76,7 @@ impl VertexFormula {
         let mut whole = DVec4::ZERO;
         let term = |&(index, weight): &(usize, f64)| {
             let joint = joints.moved_by(formula.weights.columns, index)?;
-            let mut at = rest.extend(1.0);
+            let mut at = joints.shape(&formula) * rest.extend(1.0);
             let step = |&factor: &Factor| {
                 let matrix = joints.matrix(factor, joint);
                 at = matrix * at;

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 /// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
@@ -71,6 +73,12 @@ impl Messages {
     /// Dismisses those with a smaller [`Message::number`].
     pub fn dismiss_before(&mut self, number: u64) {
         self.fresh.retain(|message| message.number >= number);
+    }
+
+    /// Dismisses those whose [`Message::number`] is one of `numbers`.
+    pub fn dismiss_numbers(&mut self, numbers: &Range<u64>) {
+        self.fresh
+            .retain(|message| !numbers.contains(&message.number));
     }
 
     /// Dismisses the fresh message at `index`; the history keeps it.

@@ -352,6 +352,7 @@ pub(super) fn cannot_open(
         match extension {
             "" => "no extension".to_owned(),
             "skel" | "attach" => format!(".{extension}: open the character's .obj file instead"),
+            "json" => ".json: a pose is given to a character, by Load Pose or --pose".to_owned(),
             other => format!(".{other}"),
         }
     );

@@ -91,8 +91,31 @@ impl Program {
         }
     }
 
-    /// Uses the file that was chosen in a dialog, with `others` that were chosen together with it.
+    /// Uses the file that was chosen in a dialog, with `others` that were chosen together with it. What was wrong with the
+    /// one that was chosen for the same before is not told any longer.
     pub(super) fn use_chosen(
+        &mut self,
+        purpose: Purpose,
+        (path, others): (PathBuf, Vec<PathBuf>),
+        files: Arc<dyn Files>,
+        host: &mut dyn Host,
+    ) {
+        let kind = std::mem::discriminant(&purpose);
+        let refused = self.refused.take().filter(|(of, _)| *of == kind);
+        if let Some((_, numbers)) = refused {
+            // Another file is in its place.
+            self.session.messages.dismiss_numbers(&numbers);
+        }
+        let since = self.session.messages.count();
+        self.use_for(purpose, (path, others), files, host);
+        let told = since..self.session.messages.count();
+        let mut fresh = self.session.messages.fresh().iter();
+        if fresh.any(|it| it.severity == Severity::Error && told.contains(&it.number)) {
+            self.refused = Some((kind, told));
+        }
+    }
+
+    fn use_for(
         &mut self,
         purpose: Purpose,
         (path, others): (PathBuf, Vec<PathBuf>),

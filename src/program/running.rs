@@ -14,7 +14,7 @@ use super::preferences::Preferences;
 use super::questions::Asked;
 use super::reading::Readings;
 use super::start_pictures::StartPictures;
-use super::{FileKind, Host, HostEvent, NotStored, globals};
+use super::{FileKind, Host, HostEvent, NotStored, Purpose, globals};
 use crate::diagnose::ToldFor;
 use crate::editor::{Session, Severity};
 use crate::io::builtin::{self, BuiltinKind};
@@ -23,6 +23,8 @@ use crate::revision::Revision;
 use crate::scene::{FitArea, Shape, ShapeId, Skinning};
 use crate::ui::{self, Screenshot, UiOutput, UiState};
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
+use std::mem::Discriminant;
+use std::ops::Range;
 use std::path::PathBuf;
 
 /// Options that the program is started with.
@@ -67,6 +69,8 @@ pub struct Program {
     pub(super) stored: Preferences,
     /// Files that were chosen last to be written, as long as nobody knows whether they can be.
     pub(super) to_write: BTreeMap<FileKind, PathBuf>,
+    /// Purpose of the file that was chosen last, where it was refused, and the numbers of the messages about that.
+    pub(super) refused: Option<(Discriminant<Purpose>, Range<u64>)>,
     pub(super) comparison: Option<Comparison>,
     pub(super) mesh_comparison: Option<MeshComparison>,
     pub(super) mesh_marks: MeshMarks,
@@ -173,6 +177,7 @@ impl Program {
             fit_due: false,
             own_view_due: false,
             closer_due: None,
+            refused: None,
             skinning_at_start: None,
         }
     }

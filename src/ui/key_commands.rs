@@ -254,6 +254,23 @@ pub(super) fn press(
             session,
         ));
     }
+    let of_bone = state.navigation == Navigation::Blender
+        && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
+        && !state.shape_row_has_keys
+        && session.selected_joint().is_some();
+    // In Blender these keys are about the selected bones.
+    let why = match command {
+        Command::ToggleVisible => {
+            "A bone cannot be hidden: with the Select tool (V), H hides the character"
+        }
+        Command::Duplicate => {
+            "A bone cannot be copied: with the Select tool (V), Shift+D copies the character"
+        }
+        _ => "",
+    };
+    if of_bone && !why.is_empty() {
+        return actions.extend(tell_once(why, session));
+    }
     let meant = match of_row {
         true => command,
         false => commands::meant(command, session, state.pose.tool),

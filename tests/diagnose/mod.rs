@@ -2,6 +2,7 @@
 //! (`student.rs`), which shares no formula with the library.
 
 mod choices;
+mod collada;
 mod correct;
 mod documents;
 mod explained;

@@ -111,10 +111,7 @@ fn a_number_that_a_field_cannot_have_is_told_with_the_one_that_it_has_instead() 
     assert_eq!(editor.last_told(), None);
     editor.type_into("Uniform Scale", "-1");
     let told = editor.last_told().unwrap_or_default();
-    assert_eq!(
-        told,
-        "Uniform Scale is 0.001 now, the least that it can be: -1 was typed"
-    );
+    assert_eq!(told, "Uniform Scale can be 0.001 at least: -1 was typed");
     let scale = editor.shape().placement.transform.scale;
     assert!((scale.x - 0.001).abs() < 1e-6, "{scale}");
 }

@@ -10,6 +10,29 @@ const SHIFT: Modifiers = Modifiers::SHIFT;
 const ALT: Modifiers = Modifiers::ALT;
 
 #[test]
+fn while_a_bone_is_posed_in_the_blender_navigation_the_keys_to_hide_and_copy_leave_the_character_alone()
+ {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let elbow = Action::View(View::SelectJoint(Some(2)));
+    story.program.carry_out(vec![elbow], &mut story.host);
+    let document = story.session().document();
+    for (modifiers, key, told) in [
+        (Modifiers::NONE, Key::H, "A bone cannot be hidden"),
+        (Modifiers::SHIFT, Key::D, "A bone cannot be copied"),
+    ] {
+        story.key_with(modifiers, key);
+        assert_eq!(story.session().document(), document);
+        let last = story.messages().last().unwrap().1.to_owned();
+        assert!(last.starts_with(told), "{last}");
+    }
+    story.key(Key::V);
+    story.key(Key::H);
+    assert!(!story.session().scene().shapes()[0].visible);
+}
+
+#[test]
 fn a_key_that_can_do_nothing_says_why_once() {
     let mut story = Story::start(&[]);
     for _ in 0..3 {

@@ -319,3 +319,33 @@ fn a_bone_that_is_rolled_by_a_held_key_is_one_step() {
     assert!(story.degrees("Elbow").length() > 10.0);
     assert_eq!(story.session().view().camera, camera);
 }
+
+#[test]
+fn what_was_wrong_with_a_pose_file_is_not_told_any_longer_once_another_one_is_loaded() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let pose = br#"{"joints": {"Elbow": [0, 0, 40]}}"#;
+    story.host.files.insert("right.json".into(), pose.to_vec());
+    story
+        .host
+        .files
+        .insert("wrong.json".into(), b"{\"joints\": 7}".to_vec());
+    let ctrl_alt = Modifiers::COMMAND.plus(Modifiers::ALT);
+    let errors = |story: &Story| {
+        let fresh = story.session().messages.fresh().iter();
+        fresh.filter(|it| it.severity == Severity::Error).count()
+    };
+    for _ in 0..2 {
+        story.key_with(ctrl_alt, Key::P);
+        story.choose("wrong.json");
+        assert_eq!(errors(&story), 1, "{:?}", story.messages());
+    }
+    story.key_with(ctrl_alt, Key::P);
+    story.choose("right.json");
+    assert_eq!(errors(&story), 0, "{:?}", story.messages());
+    assert!((story.degrees("Elbow").z - 40.0).abs() < 1e-4);
+    let history = story.session().messages.history().iter();
+    assert_eq!(
+        history.filter(|it| it.severity == Severity::Error).count(),
+        2
+    );
+}

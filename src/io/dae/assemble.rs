@@ -19,6 +19,17 @@ use std::collections::HashMap;
 pub(super) struct Part {
     pub builder: MeshBuilder,
     pub attachments: Attachments,
+    /// What the mesh of each skin was placed by.
+    pub placements: Vec<SkinPlacement>,
+}
+
+/// What the mesh of a skin is placed by at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SkinPlacement {
+    /// From the bind pose to the scene's rest pose, in our space; `None` where that differs from joint to joint.
+    pub rest: Option<DMat4>,
+    /// The skin's own matrix.
+    pub bind_shape: DMat4,
 }
 
 /// Puts instances together.
@@ -140,11 +151,17 @@ impl<'d, 'a> Assembler<'d, 'a> {
         let Part {
             builder,
             attachments,
+            placements,
         } = part;
         let base = builder.positions().len();
         self.add_weights(attachments, instance, binding, joint_of_node);
         let ours_from_file = self.report.space.ours_from_file();
         let bind_shape = binding.skin.bind_shape;
+        let as_a_whole = Some(ours_from_file * rest.first()).filter(|_| rest.as_a_whole);
+        placements.push(SkinPlacement {
+            rest: as_a_whole,
+            bind_shape,
+        });
         if rest.as_a_whole {
             let placement = Placement::Whole(ours_from_file * rest.first() * bind_shape);
             return self.add(builder, instance, &placement);

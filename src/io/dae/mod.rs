@@ -23,11 +23,12 @@ mod visual_scene;
 use super::encoding::no_text;
 use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
-use crate::character::{Character, Joint, SkeletalModel};
+use crate::character::{Character, FileFrames, Joint, SkeletalModel};
 use crate::geometry::Mesh;
 use crate::steps::{Pace, at_once};
-use assemble::{Assembler, Part, Placement};
+use assemble::{Assembler, Part, Placement, SkinPlacement};
 use document::{Dae, FARTHEST, Impact, label, parse_xml};
+use glam::{DMat3, DMat4};
 use instances::{Instance, collect};
 use materials::Materials;
 pub use report::{DaeReport, InverseBind};
@@ -209,7 +210,7 @@ async fn read_scene<'a>(
 fn static_mesh<'a>(
     assembler: &mut Assembler<'_, 'a>,
     instance: &Instance<'a>,
-    ours_from_mesh: glam::DMat4,
+    ours_from_mesh: DMat4,
     nodes: &[SceneNode<'a>],
 ) -> Result<DaeMesh, Diagnostic> {
     let mut part = Part::default();
@@ -228,7 +229,7 @@ fn character(
     rig: &Rig,
     part: Part,
     nodes: &[SceneNode],
-    ours_from_file: glam::DMat4,
+    ours_from_file: DMat4,
 ) -> Result<Character, Diagnostic> {
     let at = |joint: usize| {
         rig.nodes
@@ -244,8 +245,42 @@ fn character(
     }
     let skeleton = SkeletalModel::new(joints)
         .map_err(|error| dae.error(at(error.joint().unwrap_or(0)), error.to_string()))?;
-    Character::new(skeleton, part.attachments, part.builder.build())
-        .map_err(|error| dae.error(at(0), error.to_string()))
+    let frames = file_frames(rig, &part.placements, nodes, ours_from_file);
+    let character = Character::new(skeleton, part.attachments, part.builder.build())
+        .map_err(|error| dae.error(at(0), error.to_string()))?;
+    Ok(match frames {
+        Some(frames) => character.with_file_frames(frames),
+        None => character,
+    })
+}
+
+/// The frames of the joints in the file, and where the mesh is without the matrix of its skins; `None` where these are not
+/// the same for the whole mesh.
+fn file_frames(
+    rig: &Rig,
+    placements: &[SkinPlacement],
+    nodes: &[SceneNode],
+    ours_from_file: DMat4,
+) -> Option<FileFrames> {
+    let first = placements.first()?;
+    let rest = first.rest?;
+    if placements.iter().any(|other| other.rest != first.rest) {
+        return None;
+    }
+    let turned = rig.nodes.iter().map(|&node| {
+        let linear = DMat3::from_mat4(ours_from_file * nodes[node].world);
+        DMat4::from_mat3(linear) * rest.inverse()
+    });
+    let is_shared = placements
+        .iter()
+        .all(|other| other.bind_shape == first.bind_shape);
+    let changes = first.bind_shape != DMat4::IDENTITY;
+    let unshaped = rest * (rest * first.bind_shape).inverse();
+    Some(FileFrames {
+        turned: turned.collect(),
+        unshaped: Some(unshaped).filter(|matrix| is_shared && changes && matrix.is_finite()),
+    })
+    .filter(|frames| frames.turned.iter().all(|matrix| matrix.is_finite()))
 }
 
 fn is_far(joint: &Joint) -> bool {

@@ -57,6 +57,7 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
         Factor::InverseBindTransposed => ("B", "-T"),
         Factor::BindTransposed => ("B", "T"),
         Factor::InverseCurrent => ("T", "-1"),
+        Factor::TurnInFile => ("R", ""),
     }
 }
 

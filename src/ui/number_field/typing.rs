@@ -129,9 +129,9 @@ impl NumberField<'_> {
             NO_NUMBER.to_owned()
         } else if let Some(value) = typed.value().filter(beyond) {
             let taken = self.brought_into_range(value);
-            let which = if value < taken { "least" } else { "largest" };
+            let most = if value < taken { "least" } else { "most" };
             let (name, taken, value) = (self.name, precise(taken), precise(value));
-            format!("{name} is {taken} now, the {which} that it can be: {value} was typed")
+            format!("{name} can be {taken} at {most}: {value} was typed")
         } else {
             return;
         };
