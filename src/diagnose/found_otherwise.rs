@@ -128,6 +128,15 @@ pub(super) static MOVED_AS_A_WHOLE: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in how a picture is written, which its silhouette shows.
+pub(super) static PICTURE_TURNED: Mistake = Mistake {
+    id: super::PICTURE_TURNED,
+    meaning: "the picture is upside down or mirrored",
+    section: SSD,
+    look_at: "where the picture is written: glReadPixels begins with the lowest row, and picture files with the highest",
+    readings: &[],
+};
+
 /// π as programs often have it.
 #[expect(clippy::approx_constant, reason = "it is meant to be coarse")]
 const COARSE_PI: f64 = 3.14;
@@ -157,7 +166,7 @@ fn scale_angles(formula: &mut Formula, pi: f64) {
 }
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 14] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 15] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
@@ -172,4 +181,5 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 14] = [
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
     &MOVED_AS_A_WHOLE,
+    &PICTURE_TURNED,
 ];

@@ -58,7 +58,7 @@ fn look_at(id: &str, section: &str) -> Option<&'static str> {
         | "rotation-of-children-only"
         | "root-not-moved" => BONES,
         "vertex-without-w" => POINT,
-        "moved-as-a-whole" | "bind-shape-missing" => return None,
+        "moved-as-a-whole" | "bind-shape-missing" | "picture-turned" => return None,
         _ => match section {
             SKELETON => BONES,
             SLIDERS => ROTATIONS,

@@ -112,6 +112,8 @@ pub const POSE_NOT_APPLIED: &str = "pose-not-applied";
 /// Name of the mistake that a mesh is moved, turned or scaled as a whole, which grading also counts of one that is right but
 /// for that.
 pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
+/// Name of the mistake that a picture is upside down or mirrored.
+pub const PICTURE_TURNED: &str = "picture-turned";
 
 /// Every mistake that is known, the most telling first: where several give the same mesh, they are
 /// named in this order.

@@ -33,6 +33,7 @@ mod silhouette;
 mod skin;
 mod small_weights;
 mod triangles;
+mod turned_picture;
 mod vertex_formula;
 mod weight_formula;
 mod whole_program;
@@ -50,7 +51,9 @@ pub use job::MeshJob;
 pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_after, skin_by};
-pub use mistakes::{MISTAKES, MOVED_AS_A_WHOLE, Mistake, POSE_NOT_APPLIED, Reading};
+pub use mistakes::{
+    MISTAKES, MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading,
+};
 pub use nearest::Nearest;
 pub use no_numbers::NoNumbers;
 pub use of_whole_program::LAST_RESULT_SKINNED;

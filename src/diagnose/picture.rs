@@ -5,8 +5,9 @@ use super::diagnosis_words::{fmt_mistakes, fmt_where, together};
 use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::picture_search::{Closeness, PictureSearch};
-use super::search::Explanation;
+use super::search::{Explanation, ways_of_whole_program};
 use super::silhouette::{DRAWN, drawn_border};
+use super::turned_picture;
 use crate::character::{Character, Pose};
 use crate::geometry::Picture;
 use glam::Mat4;
@@ -100,7 +101,17 @@ pub fn diagnose_picture(
             }
         }
     }
-    unexplained.ok_or(PictureError::Blank)
+    let mut found = unexplained.ok_or(PictureError::Blank)?;
+    if !found.is_scattered {
+        let at = (DRAWN, Closeness::Picture);
+        let search =
+            |turned: &Picture| PictureSearch::new(&model, pose, turned, clip_from_model, at);
+        let turned = turned_picture::find(picture, TOLERANCE, search);
+        if !turned.is_empty() {
+            found.explain(&turned);
+        }
+    }
+    Ok(found)
 }
 
 /// What a search for one picture finds, of whose border this share is drawn.
@@ -135,7 +146,7 @@ fn found(search: &PictureSearch<'_>, drawn_border: f64) -> PictureDiagnosis {
         found.explain(&singles);
         return found;
     }
-    let of_whole = search.of_whole_program(TOLERANCE);
+    let of_whole = search.within(TOLERANCE, ways_of_whole_program());
     if of_whole.is_empty() {
         found.explain(&search.pairs(&singles, TOLERANCE));
     } else {

@@ -2,7 +2,7 @@
 
 use super::formula::{Formula, VertexOrder};
 use super::model::Model;
-use super::search::{Explanation, Made, formula, pairs_of_ways, ways, ways_of_whole_program};
+use super::search::{Explanation, Made, formula, pairs_of_ways, ways};
 use super::silhouette::{Samples, Silhouette};
 use super::skin::Skinner;
 use crate::character::Pose;
@@ -140,10 +140,12 @@ impl<'a> PictureSearch<'a> {
         .collect()
     }
 
-    /// The mistakes of a whole program that leave no more than `enough` by themselves.
-    pub(super) fn of_whole_program(&self, enough: f64) -> Vec<Explanation> {
-        let seen = ways_of_whole_program().filter_map(|made| {
-            let error = self.error_if_small(&formula(&[made]))?;
+    /// Those of `ways` to make a mistake that leave no more than `enough` by themselves.
+    pub(super) fn within(&self, enough: f64, ways: impl Iterator<Item = Made>) -> Vec<Explanation> {
+        let made = ways.map(|made| (made, formula(&[made])));
+        let seen = made.filter(|(_, formula)| is_seen(formula));
+        let seen = seen.filter_map(|(made, formula)| {
+            let error = self.error_if_small(&formula)?;
             (error <= enough).then_some(Explanation {
                 made: vec![made],
                 error,

@@ -2,7 +2,7 @@
 
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use crate::diagnose::{MOVED_AS_A_WHOLE, Mistake, POSE_NOT_APPLIED};
+use crate::diagnose::{MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED};
 use crate::io::{
     OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
 };
@@ -21,6 +21,7 @@ const LEFT_BY_LITTLE: &[(&str, f64)] = &[
     (RIGHT_BUT_FOR_FEW, 0.9),
     (RIGHT_BUT_FOR_DIGITS, 0.9),
     (MOVED_AS_A_WHOLE, 0.75),
+    (PICTURE_TURNED, 0.75),
 ];
 
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,

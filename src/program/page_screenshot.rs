@@ -16,6 +16,9 @@ const LEAST: f64 = 0.1;
 /// The strip's color, which browsers draw a little differently.
 const COLOR: RangeInclusive<u8> = 24..=28;
 
+/// Color of the frame around the page's window, of which a screenshot has the upper and the left line.
+const FRAME: RangeInclusive<u8> = 165..=175;
+
 /// The part of a screenshot of the page that shows its view; `None` for another picture.
 pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
     let (width, height) = (picture.width as usize, picture.height as usize);
@@ -30,11 +33,29 @@ pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
     };
     let in_strip = share(of_view + EMPTY_ROWS.start..of_view + EMPTY_ROWS.end)?;
     let in_view = share(of_view.saturating_sub(LAST_ROWS)..of_view)?;
-    (in_strip >= MOST && in_view <= LEAST).then(|| Picture {
+    if in_strip < MOST || in_view > LEAST {
+        return None;
+    }
+    let shift = usize::from(is_framed(pixels, width, of_view));
+    let rgba = (0..of_view).flat_map(|y| {
+        let row = &pixels[(y + shift) * width..(y + shift + 1) * width];
+        // What is beyond the last column is like it.
+        (0..width).flat_map(move |x| row[(x + shift).min(width - 1)])
+    });
+    Some(Picture {
         width: picture.width,
         height: of_view as u32,
-        rgba: picture.rgba[..4 * of_view * width].to_vec(),
+        rgba: rgba.collect(),
     })
+}
+
+/// Whether the first column and row are those of the frame around the page's window, so that its view begins beside them.
+fn is_framed(pixels: &[[u8; 4]], width: usize, height: usize) -> bool {
+    let is_frame =
+        |[red, green, blue, _]: &&[u8; 4]| red == green && green == blue && FRAME.contains(red);
+    let side = pixels.iter().step_by(width.max(1)).take(height);
+    let framed = pixels[..width].iter().chain(side).filter(is_frame).count();
+    framed as f64 >= MOST * (width + height) as f64
 }
 
 #[cfg(test)]
@@ -64,6 +85,18 @@ mod tests {
         for (height, gray) in [(260, 90), (200, 26), (20, 26), (0, 26)] {
             assert_eq!(view_of_page(&screenshot(height, gray)), None);
         }
+        // Beside a frame the view begins one pixel farther in both directions.
+        let mut framed = screenshot(260, 26);
+        let at = |x: usize, y: usize| 4 * (30 * y + x);
+        for along in 0..60 {
+            framed.rgba[at(0, along)..][..3].fill(170);
+            framed.rgba[at(along % 30, 0)..][..3].fill(170);
+        }
+        framed.rgba[at(1, 1)..][..3].fill(9);
+        framed.rgba[at(29, 60)..][..3].fill(7);
+        let view = view_of_page(&framed).expect("a strip");
+        assert_eq!((view.width, view.height), (30, 60));
+        assert_eq!((view.rgba[0], view.rgba[at(29, 59)]), (9, 7));
         let mut dark = screenshot(260, 26);
         dark.rgba
             .chunks_mut(4)

@@ -128,6 +128,36 @@ fn limbs_of_a_figure_that_is_small_in_its_picture_are_seen() {
 }
 
 #[test]
+fn a_picture_that_is_written_upside_down_or_mirrored_is_said_to_be() {
+    for (mistakes, causes) in [
+        (&[][..], &["picture-turned"][..]),
+        (&["no-inverse-bind"], &["no-inverse-bind", "picture-turned"]),
+    ] {
+        let folder = folder(&Figure::builtin("adult", turned(41)), mistakes);
+        let ran = run(&folder, &format!("render theirs.obj {FRONT} -o a.png"));
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        let path = folder.path().join("a.png");
+        let picture = image::open(&path).unwrap().to_rgba8();
+        for (turned, how) in [
+            (image::imageops::flip_vertical(&picture), "upside down"),
+            (
+                image::imageops::flip_horizontal(&picture),
+                "left and right exchanged",
+            ),
+            (image::imageops::rotate180(&picture), "by half a turn"),
+        ] {
+            turned.save(&path).unwrap();
+            let line = "diagnose a.png --character builtin:adult --pose pose.json --json";
+            let found: Value =
+                serde_json::from_str(&run(&folder, &format!("{line} {FRONT}")).out).unwrap();
+            assert_eq!(found["verdict"], "explained", "{found}");
+            assert_eq!(found["causes"], json!(causes), "{found}");
+            assert_eq!(found["mistakes"][causes.len() - 1]["how"], how, "{found}");
+        }
+    }
+}
+
+#[test]
 fn a_floor_is_told_from_a_mistake() {
     let folder = folder(&Figure::builtin("adult", turned(41)), &[]);
     let line = format!("render theirs.obj {FRONT} --look mannequin -o a.png");

@@ -346,6 +346,10 @@ const COVERED: &str = "If A shows the other program's panels, leave them out: Ma
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
+const OF_PAGE: &str = "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last \
+                       bones: these differ even where the figure is right. If all of the figure does, turn B's camera \
+                       to where the page's was.";
+
 /// What the person at the panel can do about differences.
 fn hints(
     compare: &CompareView,
@@ -360,6 +364,7 @@ fn hints(
     let others = [
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
+        (look == Look::Mannequin && compare.is_cut, OF_PAGE),
     ];
     let others = others.into_iter();
     other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))
