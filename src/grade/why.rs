@@ -11,7 +11,18 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
     let of_mistakes = |ids: &[String]| ids.iter().map(|id| why_mistake(id, test, rubric)).collect();
     match graded.outcome {
         Outcome::Right => Vec::new(),
-        Outcome::Explained => counted(test, graded, rubric).map_or_else(Vec::new, of_mistakes),
+        Outcome::Explained => {
+            let counted = counted(test, graded, rubric).unwrap_or_default();
+            let told = graded.causes.first();
+            let is_told = told.is_some_and(|told| counted.iter().all(|id| told.contains(id)));
+            let instead = (!is_told).then(|| {
+                format!(
+                    "of what gives the same, {} costs least",
+                    counted.join(" + ")
+                )
+            });
+            instead.into_iter().chain(of_mistakes(counted)).collect()
+        }
         Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
             of_mistakes(&graded.nearly)
         }
@@ -84,6 +95,14 @@ mod tests {
             [
                 "no-inverse-bind leaves 50 % of 4.2",
                 "parent-missing leaves 50 % of 3.4, since the test has no points for 3.2"
+            ]
+        );
+        let cheaper = explained(&[&["no-inverse-bind", "parent-missing"], &["weights-doubled"]]);
+        assert_eq!(
+            told(&cheaper, &rubric),
+            [
+                "of what gives the same, weights-doubled costs least",
+                "weights-doubled leaves 50 % of 4.2"
             ]
         );
         let bind = explained(&[&["pose-not-applied"]]);
