@@ -162,9 +162,7 @@ pub static MISTAKES: &[Mistake] = &[
         section: SSD,
         look_at: "updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled",
         readings: &[
-            reading("in frames parallel to the model's axes", |formula| {
-                formula.factors = Factors::NoInverseBind;
-            }),
+            reading("", |formula| formula.factors = Factors::NoInverseBind),
             reading("in the frames of a Collada file", |formula| {
                 formula.factors = Factors::NoInverseBindOfFile;
             }),

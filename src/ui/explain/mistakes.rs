@@ -89,10 +89,8 @@ fn row(ui: &mut Ui, mistake: &'static Mistake, told: &ToldMistake, made: &mut Op
         return;
     }
     ui.indent(mistake.id, |ui| {
-        let several = mistake
-            .readings
-            .iter()
-            .filter(|_| mistake.readings.len() > 1);
+        // What is special about the usual way may need no words.
+        let several = mistake.readings.iter().filter(|it| !it.how.is_empty());
         for reading in several {
             let own = Made { mistake, reading };
             let button = Button::selectable(*made == Some(own), RichText::new(reading.how).small());
