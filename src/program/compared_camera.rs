@@ -1,9 +1,10 @@
 //! The camera while a character is compared with a mesh: what fits the scene fits that mesh, too, where it is shown.
 
+use super::comparison::Comparison;
 use super::running::Program;
 use crate::editor::View;
 use crate::math::Aabb;
-use crate::scene::EvaluatedShape;
+use crate::scene::{Camera, EvaluatedShape};
 use crate::ui::MeshesShown;
 
 /// Share of the picture below which a character is too small to see its colors.
@@ -17,8 +18,13 @@ const SEEN: f32 = 0.7;
 const LARGEST: f32 = 10.0;
 
 impl Program {
-    /// `view`, or what it is while a mesh is compared: what fits shapes fits what is shown of the comparison.
+    /// `view`, or what it is in a comparison: what fits shapes fits what is shown of a mesh that is compared, and beside a
+    /// screenshot of the Virtual Mannequin's page the camera goes back to where that starts.
     pub(super) fn with_compared(&self, view: View) -> View {
+        let is_page = self.comparison.as_ref().is_some_and(Comparison::is_cut);
+        if is_page && matches!(view, View::ResetCamera) {
+            return View::SetCamera(Camera::of_mannequin());
+        }
         let (area, all) = match view {
             View::Fit(area) => (area, false),
             View::FitAll(area) => (area, true),

@@ -1,7 +1,7 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use super::page_screenshot::view_of_page;
+use super::page_screenshot::{figures_agree, view_of_page};
 use super::running::Program;
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::editor::{Severity, View};
@@ -165,6 +165,11 @@ impl Comparison {
         }
     }
 
+    /// Whether panels were cut off the reference, which is a screenshot of the Virtual Mannequin's page.
+    pub fn is_cut(&self) -> bool {
+        self.is_cut
+    }
+
     /// Camera that the view goes back to when the comparison ends with `camera`: the one before it, unless it
     /// was moved meanwhile.
     pub fn camera_after(&self, camera: Camera) -> Camera {
@@ -264,6 +269,7 @@ impl Comparison {
         if before.is_some_and(|live| *live.picture == picture) {
             return false;
         }
+        self.report.figure_agrees = self.is_cut && figures_agree(&self.reference.picture, &picture);
         self.live = Some(Textured::new(picture));
         self.measure(now);
         true

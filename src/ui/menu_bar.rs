@@ -104,11 +104,16 @@ fn follow_keys(ctx: &Context, menus: &[Response]) {
 /// has the keyboard then, since a key opened it: arrow keys and Return choose.
 fn insert_at_pointer(root: &Ui, items: &mut Items) {
     let opens = std::mem::take(&mut items.state.opens_insert_menu);
-    let pointer = PopupAnchor::PointerFixed;
+    // Behind a dialog the pointer is forgotten until it moves.
+    let pointer = root.input(|input| input.pointer.latest_pos());
+    items.state.pointer_was = pointer.or(items.state.pointer_was);
     if opens {
         menu_keys::enter_next(root.ctx());
+        let middle = items.state.view_rect.center();
+        items.state.insert_menu_at = items.state.pointer_was.unwrap_or(middle);
     }
-    popup_menu(root, ("insert at pointer", pointer), opens, |ui| {
+    let place = PopupAnchor::Position(items.state.insert_menu_at);
+    popup_menu(root, ("insert at pointer", place), opens, |ui| {
         items.insertable(ui);
     });
 }

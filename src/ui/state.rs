@@ -75,6 +75,10 @@ pub struct UiState {
     pub(super) gives_up_typing: bool,
     /// Whether the menu Insert opens at the pointer in the next frame.
     pub(super) opens_insert_menu: bool,
+    /// Where that menu is.
+    pub(super) insert_menu_at: Pos2,
+    /// Where the pointer was when it was last known.
+    pub(super) pointer_was: Option<Pos2>,
     /// Where a finger rests, until it moves or is lifted.
     pub(super) finger_rested: Option<Pos2>,
     /// The menu for what was clicked with the right button last.
@@ -155,6 +159,8 @@ impl Default for UiState {
             waiting: None,
             gives_up_typing: false,
             opens_insert_menu: false,
+            insert_menu_at: Pos2::ZERO,
+            pointer_was: None,
             finger_rested: None,
             context_menu: None,
             search: None,

@@ -3,9 +3,11 @@
 use super::Story;
 use crate::host::MemoryHost;
 use crate::reference_data::reference;
+use editor_core::character::Pose;
 use editor_core::compare::Area;
-use editor_core::editor::View;
+use editor_core::editor::{Edit, View};
 use editor_core::io::image::{self, PictureFormat};
+use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::scene::{Camera, Look};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
@@ -532,4 +534,41 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     let differing: u32 = text.split(' ').next().unwrap().parse().unwrap();
     // With the fitted view, or with the strip, more than half do.
     assert!(differing < 480_000 / 4, "{text}");
+    assert!(has_text(&story, "The figure agrees"), "{:?}", texts(&story));
+    // Seen from elsewhere, or in another pose, it does not; Home leads back.
+    let page = story.session().view().camera;
+    let moved = Camera {
+        radius: 6.4,
+        ..page
+    };
+    let seen = vec![Action::View(View::SetCamera(moved))];
+    story.program.carry_out(seen, &mut story.host);
+    judge(&mut story);
+    assert!(!has_text(&story, "The figure agrees"));
+    story.key(Key::Home);
+    assert_eq!(story.session().view().camera, page);
+    judge(&mut story);
+    assert!(has_text(&story, "The figure agrees"));
+    let id = story.session().scene().shapes()[0].id;
+    let arm = Pose::find_joint(
+        story
+            .session()
+            .scene()
+            .character(id)
+            .unwrap()
+            .character
+            .skeleton(),
+        "forearm.L",
+    )
+    .unwrap();
+    let mut pose = Pose::new();
+    pose.set_joint_transform(arm, Euler::from_degrees(glam::Vec3::new(0.0, 0.0, 25.0)));
+    story
+        .program
+        .session_mut()
+        .edit(Edit::SetPose(id, pose))
+        .unwrap();
+    story.settle();
+    judge(&mut story);
+    assert!(!has_text(&story, "The figure agrees"));
 }

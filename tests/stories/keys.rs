@@ -10,6 +10,21 @@ const SHIFT: Modifiers = Modifiers::SHIFT;
 const ALT: Modifiers = Modifiers::ALT;
 
 #[test]
+fn the_insert_menu_opens_where_the_pointer_was_before_a_file_dialog_that_keys_have_closed() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let middle = story.view().center();
+    story.point(middle);
+    story.frame(vec![egui::Event::PointerGone]);
+    story.key_with(SHIFT, Key::A);
+    story.wait(0.3);
+    let at = story.place("Cube");
+    assert!(at.distance(middle) < 300.0, "{at} beside {middle}");
+    story.click("Cube");
+    assert_eq!(story.names(), ["Strip", "Cube"]);
+}
+
+#[test]
 fn while_a_bone_is_posed_in_the_blender_navigation_the_keys_to_hide_and_copy_leave_the_character_alone()
  {
     let mut story = Story::start(&["models/strip.obj"]);

@@ -78,6 +78,9 @@ pub struct CompareReport {
     pub measuring: bool,
     /// Why nothing can be measured.
     pub problem: Option<CompareError>,
+    /// Whether the figure in a screenshot of the Virtual Mannequin's page is the one in the live view, whatever differs of
+    /// floor and bones.
+    pub figure_agrees: bool,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

@@ -293,7 +293,9 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                         link(ui, &place, area, outlined);
                     }
                 }
-                if judgment.findings.is_empty() {
+                if judgment.findings.is_empty() && report.figure_agrees {
+                    say(ui, FIGURE_AGREES, palette.strong);
+                } else if judgment.findings.is_empty() {
                     let text = "No single cause explains the differences.";
                     say(ui, text, palette.text);
                     if let Some((area, figure)) = all.zip(judgment.figure) {
@@ -346,9 +348,13 @@ const COVERED: &str = "If A shows the other program's panels, leave them out: Ma
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
+const FIGURE_AGREES: &str = "The figure agrees but for its edges and what lines of bones cover.";
+
 const OF_PAGE: &str = "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last \
-                       bones: these differ even where the figure is right. If all of the figure does, turn B's camera \
-                       to where the page's was.";
+                       bones: these always differ.";
+
+const OF_PAGE_ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where \
+                                 the page's was: Home leads to where it starts.";
 
 /// What the person at the panel can do about differences.
 fn hints(
@@ -358,13 +364,15 @@ fn hints(
 ) -> impl Iterator<Item = &'static str> {
     let settings = compare.settings;
     let look_is_course = look == Look::Course;
+    let of_page = look == Look::Mannequin && compare.is_cut;
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     let other_look = other_look(look, compare.look).into_iter();
     let others = [
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
-        (look == Look::Mannequin && compare.is_cut, OF_PAGE),
+        (of_page && compare.report.figure_agrees, OF_PAGE),
+        (of_page && !compare.report.figure_agrees, OF_PAGE_ELSEWHERE),
     ];
     let others = others.into_iter();
     other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))
