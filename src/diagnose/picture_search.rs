@@ -181,14 +181,19 @@ impl<'a> PictureSearch<'a> {
     /// What `formula` leaves, unless a look at some vertices or from afar tells that it is much.
     fn error_if_small(&self, formula: &Formula) -> Option<f64> {
         let mut skinner = self.skinner(formula);
-        let beside = self.spread.iter().filter(|&&vertex| {
+        let most = (BESIDE * self.spread.len() as f64) as usize;
+        // Many that are drawn to one place are the tip of one spike there, which may be thinner than a pixel.
+        let mut beside: Vec<DVec3> = Vec::new();
+        for &vertex in &self.spread {
             let placed = skinner.place(vertex);
             let clip = self.clip_from_model * placed.at.extend(1.0);
-            !placed.is_unweighted && self.fine.theirs.is_near(clip) == Some(false)
-        });
-        let most = (BESIDE * self.spread.len() as f64) as usize;
-        if beside.take(most + 1).count() > most {
-            return None;
+            let is_beside = !placed.is_unweighted && self.fine.theirs.is_near(clip) == Some(false);
+            if is_beside && !beside.contains(&placed.at) {
+                beside.push(placed.at);
+                if beside.len() > most {
+                    return None;
+                }
+            }
         }
         let points = points(&mut skinner);
         let may_fit = self.coarse.area < TELLING || self.error(&points, &self.coarse) <= MAY_FIT;

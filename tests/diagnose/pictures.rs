@@ -1,7 +1,7 @@
 //! Pictures of mistakes: the student's mesh, drawn as a shape.
 
 use crate::diagnose::figures::{Figure, obj, turned};
-use crate::diagnose::student::{RIGHT, Student, with};
+use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
 use crate::program::{Ran, editor_in};
 use glam::Vec3;
 use serde_json::{Value, json};
@@ -154,6 +154,20 @@ fn a_picture_that_is_written_upside_down_or_mirrored_is_said_to_be() {
             assert_eq!(found["causes"], json!(causes), "{found}");
             assert_eq!(found["mistakes"][causes.len() - 1]["how"], how, "{found}");
         }
+    }
+}
+
+#[test]
+fn a_joint_that_is_left_out_is_seen_though_the_tip_of_its_spike_is_thinner_than_a_pixel() {
+    let figure = Figure::builtin("adult", turned(47));
+    let student = Student {
+        weights: without_last_joint,
+        ..RIGHT
+    };
+    let folder = folder_with(&figure, &student.skin(&figure));
+    for camera in ["--camera 0,10,3", FRONT] {
+        let found = diagnosed(&folder, "builtin:adult", "a.png", camera, "");
+        assert_eq!(found["causes"][0], "joint-left-out", "{camera}: {found}");
     }
 }
 
