@@ -88,7 +88,7 @@ impl Args {
 /// # Errors
 /// If a file is wrong, they do not fit each other, or the mesh is not right.
 pub fn run(args: &Args) -> Result<(), CliError> {
-    let program = ToldFor::of_file(args.character.to_str());
+    let program = ToldFor::of_file(Some(&args.character.to_string_lossy()));
     if is_mesh(&args.theirs) {
         if args.camera.chosen().is_some() {
             let message = "--camera and --view are for pictures, found a mesh";

@@ -1,7 +1,7 @@
 //! What is found out about a mesh, as data.
 
 use super::faces::FaceDifference;
-use super::mistakes::Mistake;
+use super::mistake::Mistake;
 use super::nearest::{NEARLY_ALL, Nearest};
 use super::other_pose::OtherPose;
 use super::precision::Coarse;

@@ -1,7 +1,7 @@
 //! What is found out about a mesh, in words.
 
 use super::diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
-use super::mistakes::LOOK_AT_PLACE;
+use super::mistake::LOOK_AT_PLACE;
 use super::other_pose::OtherPose;
 use super::precision::Coarse;
 use crate::compare::MeshFinding;

@@ -1,7 +1,7 @@
 //! The triangles of a mesh, held against those of the character.
 
 use super::found_otherwise::{TRIANGLES_DIFFER, TRIANGLES_TURNED};
-use super::mistakes::Mistake;
+use super::mistake::Mistake;
 use super::model::Model;
 use super::search::AT_ONCE;
 use super::triangles::{Triangle, Wound, cut_otherwise, sorted, take, wound};

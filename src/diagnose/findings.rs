@@ -4,7 +4,7 @@ use super::as_good;
 use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, Verdict, all_causes};
 use super::faces::FaceDifference;
 use super::formula::VertexOrder;
-use super::mistakes::{IN_ANY_ORDER, Mistake};
+use super::mistake::{IN_ANY_ORDER, Mistake};
 use super::model::Model;
 use super::placed::Limits;
 use super::regions::regions;

@@ -1,6 +1,7 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
 pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
+use crate::character::Character;
 use glam::{DVec3, DVec4};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
@@ -351,6 +352,16 @@ pub enum VertexOrder {
     FirstUseInside,
     /// One for each corner of each triangle.
     Corners,
+}
+
+impl Formula {
+    /// Whether it changes something of a character: what it changes may be what only Collada files have.
+    pub fn is_of(&self, character: &Character) -> bool {
+        let frames = character.file_frames();
+        let is_turned = self.factors == Factors::NoInverseBindOfFile;
+        let unshaped = frames.and_then(|frames| frames.unshaped);
+        (!is_turned || frames.is_some()) && (self.is_shaped || unshaped.is_some())
+    }
 }
 
 impl Default for Formula {

@@ -2,7 +2,7 @@
 //! numbers from the mesh.
 
 use super::formula::{Columns, Formula};
-use super::mistakes::{LOOK_AT_PLACE, MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
+use super::mistake::{LOOK_AT_PLACE, MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
 pub(super) static TRIANGLES_TURNED: Mistake = Mistake {

@@ -10,7 +10,7 @@ use glam::{DAffine3, DMat3, DMat4, DVec3};
 
 /// The transforms of all joints from their frames to model space, by a formula.
 #[derive(Debug)]
-pub(super) struct Joints {
+pub(super) struct Joints<'a> {
     /// T.
     current: Vec<DAffine3>,
     /// B.
@@ -18,16 +18,21 @@ pub(super) struct Joints {
     /// Joint that each index of a program means.
     order: Vec<usize>,
     /// Frames of the character's file.
-    frames: Option<FileFrames>,
+    frames: Option<&'a FileFrames>,
 }
 
-impl Joints {
-    pub(super) fn new(model: &Model, pose: &Pose, formula: &Formula) -> Self {
+impl<'a> Joints<'a> {
+    pub(super) fn new(model: &Model<'a>, pose: &Pose, formula: &Formula) -> Self {
         Self::after(model, &[], pose, formula)
     }
 
     /// The same where joints turn on from the rotations that they were given in the poses `before`.
-    pub(super) fn after(model: &Model, before: &[&Pose], pose: &Pose, formula: &Formula) -> Self {
+    pub(super) fn after(
+        model: &Model<'a>,
+        before: &[&Pose],
+        pose: &Pose,
+        formula: &Formula,
+    ) -> Self {
         let order = model.joints_by(formula.joint_order.by);
         // Which joint's angles of the pose each joint is given.
         let mut angles_of: Vec<usize> = (0..order.len()).collect();
@@ -96,13 +101,13 @@ impl Joints {
             current,
             bind,
             order,
-            frames: model.character.file_frames().cloned(),
+            frames: model.character.file_frames(),
         }
     }
 
     /// What vertices at rest are multiplied by before all else.
     pub(super) fn shape(&self, formula: &Formula) -> DMat4 {
-        let unshaped = self.frames.as_ref().and_then(|frames| frames.unshaped);
+        let unshaped = self.frames.and_then(|frames| frames.unshaped);
         unshaped.filter(|_| !formula.is_shaped).unwrap_or_default()
     }
 
@@ -114,7 +119,7 @@ impl Joints {
             Factor::Bind => bind.into(),
             Factor::InverseBind => bind.inverse().into(),
             Factor::TurnInFile => {
-                let turned = self.frames.as_ref().and_then(|it| it.turned.get(joint));
+                let turned = self.frames.and_then(|it| it.turned.get(joint));
                 turned.copied().unwrap_or_default()
             }
             Factor::CurrentTransposed => DMat4::from(current).transpose(),

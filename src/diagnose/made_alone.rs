@@ -3,7 +3,7 @@
 
 use super::formula::{Columns, Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
-use super::mistakes::Mistake;
+use super::mistake::Mistake;
 use super::search::{Explanation, Made, Search};
 use super::skin::{Placed, Skinner};
 use super::{one_joint, whole_program};

@@ -2,7 +2,7 @@
 //! nor its functions.
 
 use super::diagnosis::{Diagnosis, ToldMistake};
-use super::mistakes::{MESH, Mistake, SKELETON, SLIDERS};
+use super::mistake::{MESH, Mistake, SKELETON, SLIDERS};
 use super::nearest::Nearest;
 use super::picture::PictureDiagnosis;
 
@@ -36,36 +36,64 @@ const SUM: &str = "the sum in the vertex shader, and the weights that it is give
 /// Where a vertex becomes a vector of four.
 const POINT: &str = "the vertex shader: a vertex is a point, the fourth coordinate of which is 1";
 
+/// What to look at for mistakes for which that does not follow from their section; `None` for those that are told alike for
+/// all programs.
+const LOOK_AT: &[(&[&str], Option<&str>)] = &[
+    (
+        &[
+            "weights-shifted",
+            "weights-shifted-on",
+            "weights-exchanged",
+            "joints-by-depth",
+        ],
+        Some(JOINTS),
+    ),
+    (&["weight-rows-shifted", "weight-rows-drift"], Some(ROWS)),
+    (
+        &[
+            "no-inverse-bind",
+            "inverse-bind-only",
+            "bind-not-inverted",
+            "factors-swapped",
+            "wrong-inverse",
+            "bind-parent-missing",
+            "bind-of-other-pose",
+        ],
+        Some(BONE_MATRICES),
+    ),
+    (&["matrix-transposed"], Some(TRANSPOSED)),
+    (&["pose-not-applied"], Some(POSE)),
+    (
+        &[
+            "rotation-before-translation",
+            "root-rotated-before-translation",
+            "translation-overwritten",
+            "rotation-of-children-only",
+            "root-not-moved",
+        ],
+        Some(BONES),
+    ),
+    (&["vertex-without-w"], Some(POINT)),
+    (
+        &["moved-as-a-whole", "bind-shape-missing", "picture-turned"],
+        None,
+    ),
+];
+
 /// What to look at for a mistake, the section of which is in the course's assignment.
 fn look_at(id: &str, section: &str) -> Option<&'static str> {
-    Some(match id {
-        "weights-shifted" | "weights-shifted-on" | "weights-exchanged" | "joints-by-depth" => {
-            JOINTS
-        }
-        "weight-rows-shifted" | "weight-rows-drift" => ROWS,
-        "no-inverse-bind"
-        | "inverse-bind-only"
-        | "bind-not-inverted"
-        | "factors-swapped"
-        | "wrong-inverse"
-        | "bind-parent-missing"
-        | "bind-of-other-pose" => BONE_MATRICES,
-        "matrix-transposed" => TRANSPOSED,
-        "pose-not-applied" => POSE,
-        "rotation-before-translation"
-        | "root-rotated-before-translation"
-        | "translation-overwritten"
-        | "rotation-of-children-only"
-        | "root-not-moved" => BONES,
-        "vertex-without-w" => POINT,
-        "moved-as-a-whole" | "bind-shape-missing" | "picture-turned" => return None,
-        _ => match section {
-            SKELETON => BONES,
-            SLIDERS => ROTATIONS,
-            MESH => OF_MESH,
-            _ => SUM,
+    let by_id = LOOK_AT.iter().find(|(ids, _)| ids.contains(&id));
+    by_id.map_or_else(
+        || {
+            Some(match section {
+                SKELETON => BONES,
+                SLIDERS => ROTATIONS,
+                MESH => OF_MESH,
+                _ => SUM,
+            })
         },
-    })
+        |(_, look_at)| *look_at,
+    )
 }
 
 /// Whose program is told what is wrong with it, by the files and functions that it has.
@@ -155,6 +183,13 @@ impl PictureDiagnosis {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_name_in_the_table_is_one_of_a_mistake() {
+        for id in LOOK_AT.iter().flat_map(|(ids, _)| *ids) {
+            assert!(Mistake::find(id).is_some(), "{id}");
+        }
+    }
 
     #[test]
     fn no_mistake_of_a_program_that_reads_collada_files_is_told_by_names_of_the_course() {

@@ -1,52 +1,12 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Divided, Factors, Formula, JointOrder, JointsBy, Kept, Offsets,
-    Rescaled, Rows, VertexOrder,
+    AngleUnits, Chain, Columns, Divided, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled,
+    Rows, VertexOrder,
 };
-use super::found_otherwise::FOUND_OTHERWISE;
-use super::of_whole_program::OF_WHOLE_PROGRAM;
-
-/// A mistake that programs make in skinning a character.
-#[derive(Debug)]
-pub struct Mistake {
-    /// Its name, which scripts may rely on.
-    pub id: &'static str,
-    /// What the program does, in a sentence without a full stop.
-    pub meaning: &'static str,
-    /// Section of the assignment.
-    pub section: &'static str,
-    /// What to look at in the code.
-    pub look_at: &'static str,
-    /// How the mistake is made, the most usual way first.
-    pub readings: &'static [Reading],
-}
-
-/// One way to make a mistake.
-#[derive(Debug)]
-pub struct Reading {
-    /// What is special about it; empty if there is nothing to add.
-    pub how: &'static str,
-    /// Makes the mistake.
-    pub make: fn(&mut Formula),
-}
-
-pub(super) const SKELETON: &str = "3.2 Skeleton";
-pub(super) const SLIDERS: &str = "3.4 Sliders";
-pub(super) const MESH: &str = "4.1 Mesh";
-pub(super) const SSD: &str = "4.2 SSD";
-
-/// What to look at where some weights of a vertex are not used.
-pub(super) const EVERY_JOINT_COUNTS: &str =
-    "where weights are read or summed: every joint counts, however many there are";
-
-/// What to look at where a mesh is moved, turned or scaled as a whole.
-pub(super) const LOOK_AT_PLACE: &str = "what is done to vertices after skinning, or to the model when it is read: \
-                                        units, axes, a matrix of the shape or of the camera that belongs only to drawing";
-
-pub(super) const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
-    Reading { how, make }
-}
+use super::mistake::{
+    EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, reading,
+};
 
 /// A mistake that is made in one way.
 macro_rules! one_way {
@@ -106,14 +66,6 @@ macro_rules! sign_flipped {
         }
     };
 }
-
-/// Name of the mistake that leaves the mesh in the bind pose.
-pub const POSE_NOT_APPLIED: &str = "pose-not-applied";
-/// Name of the mistake that a mesh is moved, turned or scaled as a whole, which grading also counts of one that is right but
-/// for that.
-pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
-/// Name of the mistake that a picture is upside down or mirrored.
-pub const PICTURE_TURNED: &str = "picture-turned";
 
 /// Every mistake that is known, the most telling first: where several give the same mesh, they are
 /// named in this order.
@@ -491,20 +443,4 @@ pub static MISTAKES: &[Mistake] = &[
 
 const fn by(by: JointsBy, has_angles: bool) -> JointOrder {
     JointOrder { by, has_angles }
-}
-
-/// The mistake of vertices that are right but in an order of which no formula is known.
-pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});
-
-impl Mistake {
-    /// Every mistake that is known: those of [`MISTAKES`], those of a whole program, and those that are found otherwise.
-    pub fn all() -> impl Iterator<Item = &'static Self> {
-        let others = OF_WHOLE_PROGRAM.into_iter().chain(FOUND_OTHERWISE);
-        MISTAKES.iter().chain(others)
-    }
-
-    /// The mistake with this name, if there is one.
-    pub fn find(id: &str) -> Option<&'static Self> {
-        Self::all().find(|mistake| mistake.id == id)
-    }
 }

@@ -15,11 +15,13 @@ mod joint_transforms;
 mod made_alone;
 mod mannequin_words;
 mod measure;
+mod mistake;
 mod mistaken;
 mod mistakes;
 mod model;
 mod nearest;
 mod no_numbers;
+mod of_weighted_sum;
 mod of_whole_program;
 mod one_joint;
 mod other_pose;
@@ -50,13 +52,12 @@ pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};
+pub use mistake::{MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading};
 pub use mistaken::{MistakenMesh, skin_after, skin_by};
-pub use mistakes::{
-    MISTAKES, MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading,
-};
+pub use mistakes::MISTAKES;
 pub use nearest::Nearest;
 pub use no_numbers::NoNumbers;
-pub use of_whole_program::LAST_RESULT_SKINNED;
+pub use of_weighted_sum::LAST_RESULT_SKINNED;
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture, has_silhouette};
 pub use precision::Coarse;
@@ -213,7 +214,8 @@ async fn diagnose_vertices(
         explanations.extend(findings.in_another_order());
     }
     // Numbers that are worked out from a mesh bring many near it. Those that are right bring it much nearer.
-    let rounding = precision::of_vertices(half_step).max(AS_GOOD_AS_NONE * size);
+    let of_numbers = precision::of_vertices(half_step);
+    let rounding = of_numbers.max(AS_GOOD_AS_NONE * size);
     if explanations.is_empty() {
         let fits = search.within(rounding.max(error / MUCH_NEARER));
         explanations = made_alone::find(&search, &fits, order, &exact, size, pace).await;
@@ -232,7 +234,7 @@ async fn diagnose_vertices(
         if !written.has_outliers {
             let limits = placed::Limits {
                 tolerance,
-                rounding: precision::of_vertices(half_step),
+                rounding: of_numbers,
                 most: MOST_TOLERANCE * size,
             };
             found.findings = findings.of_the_whole(theirs, limits);

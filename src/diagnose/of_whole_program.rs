@@ -1,10 +1,13 @@
 //! Mistakes of a whole program, which are made in few ways: they are tried by themselves before any two together, and
 //! beside each of the others.
 
-use super::formula::{
-    AnglesOf, Chain, Columns, Factors, Kept, LeftOnStack, Offsets, Popped, Rescaled, Rounded,
+use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Popped};
+use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
+use super::of_weighted_sum::{
+    BIND_SHAPE_MISSING, INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT,
+    SUM_BEGUN_AT_REST, SUM_DIVIDED, SUM_OVERWRITTEN, WEIGHTS_IGNORED, WEIGHTS_ROUNDED,
+    WRONG_INVERSE,
 };
-use super::mistakes::{EVERY_JOINT_COUNTS, Mistake, SKELETON, SLIDERS, SSD, reading};
 
 /// A mistake at roots alone, which other joints do not share.
 static ROOT_ROTATED_FIRST: Mistake = Mistake {
@@ -86,15 +89,6 @@ static STACK_NOT_POPPED: Mistake = Mistake {
     ],
 };
 
-/// A mistake in the weighted sum.
-static SUM_BEGUN_AT_REST: Mistake = Mistake {
-    id: "sum-begun-at-rest",
-    meaning: "the sum for each vertex begins with its place at rest instead of 0",
-    section: SSD,
-    look_at: "updateMeshVertices: the vertex is set to 0 before what the joints give is added",
-    readings: &[reading("", |formula| formula.begins_at_rest = true)],
-};
-
 /// A mistake in how the pose comes to joints.
 static TRANSLATION_OVERWRITTEN: Mistake = Mistake {
     id: "translation-overwritten",
@@ -137,43 +131,6 @@ static ROOT_TRANSFORM_MISSING: Mistake = Mistake {
             formula.joint.bind_offsets = Offsets::ButOfRoots
         }),
     ],
-};
-
-/// A mistake in the weighted sum.
-static SUM_OVERWRITTEN: Mistake = Mistake {
-    id: "sum-overwritten",
-    meaning: "what one joint gives overwrites what those before it gave, so that there is no sum",
-    section: SSD,
-    look_at: "updateMeshVertices: what each joint gives is added (+=), not assigned (=)",
-    readings: &[
-        reading("the last one with a weight counts", |formula| {
-            formula.weights.kept = Kept::Last;
-        }),
-        reading(
-            "the last one with a weight counts, as if it weighed 1",
-            |formula| {
-                formula.weights.kept = Kept::Last;
-                formula.weights.rescaled = Rescaled::ToOne;
-            },
-        ),
-        reading(
-            "the last one of all counts, whatever its weight",
-            |formula| {
-                formula.weights.columns = Columns::LastAlone;
-            },
-        ),
-    ],
-};
-
-/// A mistake in what is skinned, of which grading also knows the results of other tests.
-pub static LAST_RESULT_SKINNED: Mistake = Mistake {
-    id: "last-result-skinned",
-    meaning: "the last result is skinned instead of the mesh at rest",
-    section: SSD,
-    look_at: "updateMeshVertices: it reads bindVertices and writes currentVertices, never the other way round",
-    readings: &[reading("that of the same pose", |formula| {
-        formula.moves_twice = true;
-    })],
 };
 
 /// A mistake with the angles about the axes.
@@ -304,23 +261,6 @@ pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
     readings: &[reading("", |formula| formula.joint.roots_are_moved = false)],
 };
 
-/// A mistake in what is inverted.
-static WRONG_INVERSE: Mistake = Mistake {
-    id: "wrong-inverse",
-    meaning: "T is inverted instead of B",
-    section: SSD,
-    look_at: "whether both are what their names say: currentJointToWorldTransform is T, bindWorldToJointTransform is the \
-              inverse of B",
-    readings: &[
-        reading("T⁻¹ · B", |formula| {
-            formula.factors = Factors::InverseOfCurrent
-        }),
-        reading("B · T⁻¹", |formula| {
-            formula.factors = Factors::InverseOfCurrentFirst;
-        }),
-    ],
-};
-
 /// A mistake in how often rotations are made.
 static ROTATION_REPEATED: Mistake = Mistake {
     id: "rotation-repeated",
@@ -331,117 +271,6 @@ static ROTATION_REPEATED: Mistake = Mistake {
     readings: &[
         reading("twice", |formula| formula.joint.times = 2),
         reading("three times", |formula| formula.joint.times = 3),
-    ],
-};
-
-/// A mistake in which weights are used, of which programs make that with four most often: see `influences-cut-4`.
-static INFLUENCES_CUT_FEWER: Mistake = Mistake {
-    id: "influences-cut-fewer",
-    meaning: "fewer than four weights of a vertex are used",
-    section: SSD,
-    look_at: EVERY_JOINT_COUNTS,
-    readings: &[
-        reading("the two largest", |formula| {
-            formula.weights.kept = Kept::Largest(2);
-        }),
-        reading("the two largest, divided by their sum", |formula| {
-            formula.weights.kept = Kept::Largest(2);
-            formula.weights.rescaled = Rescaled::ToOne;
-        }),
-        reading("the three largest", |formula| {
-            formula.weights.kept = Kept::Largest(3);
-        }),
-        reading("the three largest, divided by their sum", |formula| {
-            formula.weights.kept = Kept::Largest(3);
-            formula.weights.rescaled = Rescaled::ToOne;
-        }),
-        reading("the first", |formula| formula.weights.kept = Kept::First(1)),
-        reading("the first, as if it weighed 1", |formula| {
-            formula.weights.kept = Kept::First(1);
-            formula.weights.rescaled = Rescaled::ToOne;
-        }),
-        reading("the first two", |formula| {
-            formula.weights.kept = Kept::First(2)
-        }),
-        reading("the first three", |formula| {
-            formula.weights.kept = Kept::First(3)
-        }),
-    ],
-};
-
-/// A mistake in which weights are used. From which on they are is worked out from the mesh; beside another mistake it is
-/// one of the numbers that programs have most often.
-pub(super) static SMALL_WEIGHTS_LEFT_OUT: Mistake = Mistake {
-    id: "small-weights-left-out",
-    meaning: "weights below a number are not used",
-    section: SSD,
-    look_at: "where weights are read or summed: small ones count as well, and only those of 0 may be skipped",
-    readings: &[
-        reading("those below 0.1", |formula| {
-            formula.weights.kept = Kept::From(0.1)
-        }),
-        reading("those below 0.05", |formula| {
-            formula.weights.kept = Kept::From(0.05)
-        }),
-        reading("those below 0.01", |formula| {
-            formula.weights.kept = Kept::From(0.01)
-        }),
-        reading("those below 0.001", |formula| {
-            formula.weights.kept = Kept::From(0.001)
-        }),
-    ],
-};
-
-/// A mistake in which weights are not used at all, but for which of them are 0.
-static WEIGHTS_IGNORED: Mistake = Mistake {
-    id: "weights-ignored",
-    meaning: "every joint with a weight counts alike, however large the weight is",
-    section: SSD,
-    look_at: "updateMeshVertices: what each joint gives is multiplied by its weight",
-    readings: &[
-        reading("the mean of what they give", |formula| {
-            formula.weights.rescaled = Rescaled::ToMean;
-        }),
-        reading("the sum of what they give", |formula| {
-            formula.weights.rescaled = Rescaled::ToOnes;
-        }),
-    ],
-};
-
-/// A mistake in the weighted sum.
-static SUM_DIVIDED: Mistake = Mistake {
-    id: "sum-divided",
-    meaning: "the weighted sum is divided by how many joints it is of",
-    section: SSD,
-    look_at: "updateMeshVertices: the weights make the sum a mean already, and nothing is left to divide",
-    readings: &[reading("", |formula| {
-        formula.weights.rescaled = Rescaled::ByCount;
-    })],
-};
-
-/// A mistake with the matrix that a Collada file's skin has for its mesh.
-static BIND_SHAPE_MISSING: Mistake = Mistake {
-    id: "bind-shape-missing",
-    meaning: "vertices are not placed by the skin's own matrix first",
-    section: SSD,
-    look_at: "where the skin of a Collada file is read: its bind_shape_matrix comes first to each vertex, before the \
-              inverse of B",
-    readings: &[reading("", |formula| formula.is_shaped = false)],
-};
-
-/// A mistake in the type of weights.
-static WEIGHTS_ROUNDED: Mistake = Mistake {
-    id: "weights-rounded",
-    meaning: "weights are whole numbers",
-    section: SSD,
-    look_at: "where the .attach file is read: weights are float, and no int, up to the sum",
-    readings: &[
-        reading("rounded down", |formula| {
-            formula.weights.rounded = Rounded::Down
-        }),
-        reading("rounded to the nearest", |formula| {
-            formula.weights.rounded = Rounded::ToNearest;
-        }),
     ],
 };
 

@@ -4,7 +4,7 @@ use super::as_good;
 use super::formula::{Formula, OtherJoint};
 use super::found_otherwise::{ONE_WRONG_OFFSET, ONE_WRONG_PARENT};
 use super::made_alone::MadeAlone;
-use super::mistakes::Mistake;
+use super::mistake::Mistake;
 use super::search::Explanation;
 use super::skin::Skinner;
 use crate::steps::Pace;

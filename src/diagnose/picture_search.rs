@@ -128,7 +128,7 @@ impl<'a> PictureSearch<'a> {
     /// Every mistake by itself, with what it leaves.
     pub(super) fn singles(&self) -> Vec<Explanation> {
         let seen = ways().map(|made| (made, formula(&[made])));
-        let seen = seen.filter(|(_, formula)| is_seen(formula));
+        let seen = seen.filter(|(_, formula)| self.is_seen(formula));
         seen.map(|(made, formula)| {
             let points = points(&mut self.skinner(&formula));
             Explanation {
@@ -143,7 +143,7 @@ impl<'a> PictureSearch<'a> {
     /// Those of `ways` to make a mistake that leave no more than `enough` by themselves.
     pub(super) fn within(&self, enough: f64, ways: impl Iterator<Item = Made>) -> Vec<Explanation> {
         let made = ways.map(|made| (made, formula(&[made])));
-        let seen = made.filter(|(_, formula)| is_seen(formula));
+        let seen = made.filter(|(_, formula)| self.is_seen(formula));
         let seen = seen.filter_map(|(made, formula)| {
             let error = self.error_if_small(&formula)?;
             (error <= enough).then_some(Explanation {
@@ -162,7 +162,7 @@ impl<'a> PictureSearch<'a> {
             let one = singles.find(|one| std::ptr::eq(one.made[0].reading, made.reading));
             one.map_or(f64::INFINITY, |one| one.error)
         };
-        let seen = pairs_of_ways().filter(|(.., formula)| is_seen(formula));
+        let seen = pairs_of_ways().filter(|(.., formula)| self.is_seen(formula));
         seen.filter_map(|(first, second, formula)| {
             let error = self.error_if_small(&formula)?;
             let mut made = vec![first, second];
@@ -200,6 +200,13 @@ impl<'a> PictureSearch<'a> {
         may_fit.then(|| self.error(&points, &self.fine))
     }
 
+    /// Whether a mistake may be seen in a picture, which is the same whatever the order in which vertices are
+    /// kept.
+    fn is_seen(&self, formula: &Formula) -> bool {
+        let orders = [VertexOrder::File, VertexOrder::FirstUseInside];
+        orders.contains(&formula.vertex_order) && formula.is_of(self.model.character)
+    }
+
     fn skinner(&self, formula: &Formula) -> Skinner<'a> {
         Skinner::new(self.model, self.pose, formula)
     }
@@ -227,10 +234,4 @@ impl Seen {
 fn points(skinner: &mut Skinner) -> Vec<DVec3> {
     let all = 0..skinner.count();
     all.map(|at| skinner.place(at).at).collect()
-}
-
-/// Whether a mistake may be seen in a picture, which is the same whatever the order in which vertices are
-/// kept.
-fn is_seen(formula: &Formula) -> bool {
-    formula.vertex_order == VertexOrder::File || formula.vertex_order == VertexOrder::FirstUseInside
 }

@@ -8,9 +8,6 @@ use crate::compare::{MeshFinding, placement};
 use crate::steps::Pace;
 use glam::DVec3;
 
-/// What a mesh is called in what is found out about a placement.
-const EXACT: &str = "the exact result";
-
 /// How far a vertex may be from where it is placed and agree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
@@ -81,13 +78,10 @@ pub(super) async fn find(search: &Search<'_>, limits: Limits, pace: &Pace) -> Ve
         pace.after(search.theirs.len()).await;
         if let Some(error) = limits.error(&placed, |vertex| skinner.place(vertex).at, search.theirs)
         {
-            let brief = placed.brief().unwrap_or_default();
-            let how = brief.strip_prefix(EXACT).unwrap_or(&brief);
-            let how = how.trim_start_matches([',', ' ']);
             found.push(Explanation {
                 made: vec![made, Made::by_numbers(&MOVED_AS_A_WHOLE)],
                 error,
-                how: Some(how.strip_prefix("with ").unwrap_or(how).to_owned()),
+                how: placed.how(),
             });
         }
     }

@@ -4,7 +4,8 @@ use super::MUCH_NEARER;
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
 use super::found_otherwise::{ANGLES_SCALED, JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
-use super::mistakes::{MISTAKES, Mistake, Reading, reading};
+use super::mistake::{Mistake, Reading, reading};
+use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::skin::{Placed, Skinner};
@@ -232,7 +233,8 @@ impl<'a> Search<'a> {
     }
 
     pub(super) fn skinner(&self, formula: &Formula) -> Option<Skinner<'a>> {
-        let fits = self.model.count(formula.vertex_order) == self.theirs.len();
+        let fits = self.model.count(formula.vertex_order) == self.theirs.len()
+            && formula.is_of(self.model.character);
         fits.then(|| Skinner::new(self.model, self.pose, formula))
     }
 

@@ -2,7 +2,7 @@
 
 use super::formula::{Formula, Kept, Rescaled};
 use super::made_alone::MadeAlone;
-use super::of_whole_program::SMALL_WEIGHTS_LEFT_OUT;
+use super::of_weighted_sum::SMALL_WEIGHTS_LEFT_OUT;
 use super::search::{AT_ONCE, Explanation};
 use super::skin::Skinner;
 use crate::steps::Pace;

@@ -14,7 +14,7 @@ use glam::{DMat4, DVec3, DVec4, Vec4Swizzles};
 pub struct VertexFormula {
     /// Index of the vertex, from 0.
     pub vertex: usize,
-    /// Where it is in the bind pose.
+    /// Where it is in the bind pose, as the program has it.
     pub rest: DVec3,
     /// What is summed, in the order of the joints in the file. Empty for a vertex without weights, and
     /// where the formula moves nothing: these stay at rest.
@@ -68,6 +68,7 @@ impl VertexFormula {
         let rest = *model.positions.get(vertex)?;
         let formula = formula.in_order_of_file();
         let joints = Joints::new(&model, pose, &formula);
+        let rest = joints.shape(&formula).transform_point3(rest);
         let source = model.source(formula.vertex_order, vertex);
         let influences = model.influences_by(formula.weights.rows, source.weights);
         let mut kept = Vec::new();
@@ -76,7 +77,7 @@ impl VertexFormula {
         let mut whole = DVec4::ZERO;
         let term = |&(index, weight): &(usize, f64)| {
             let joint = joints.moved_by(formula.weights.columns, index)?;
-            let mut at = joints.shape(&formula) * rest.extend(1.0);
+            let mut at = rest.extend(1.0);
             let step = |&factor: &Factor| {
                 let matrix = joints.matrix(factor, joint);
                 at = matrix * at;

@@ -70,11 +70,6 @@ impl Messages {
         self.fresh.clear();
     }
 
-    /// Dismisses those with a smaller [`Message::number`].
-    pub fn dismiss_before(&mut self, number: u64) {
-        self.fresh.retain(|message| message.number >= number);
-    }
-
     /// Dismisses those whose [`Message::number`] is one of `numbers`.
     pub fn dismiss_numbers(&mut self, numbers: &Range<u64>) {
         self.fresh

@@ -1,6 +1,5 @@
 //! The camera while a character is compared with a mesh: what fits the scene fits that mesh, too, where it is shown.
 
-use super::comparison::Comparison;
 use super::running::Program;
 use crate::editor::View;
 use crate::math::Aabb;
@@ -21,7 +20,7 @@ impl Program {
     /// `view`, or what it is in a comparison: what fits shapes fits what is shown of a mesh that is compared, and beside a
     /// screenshot of the Virtual Mannequin's page the camera goes back to where that starts.
     pub(super) fn with_compared(&self, view: View) -> View {
-        let is_page = self.comparison.as_ref().is_some_and(Comparison::is_cut);
+        let is_page = self.comparison.as_ref().is_some_and(|it| it.is_cut);
         if is_page && matches!(view, View::ResetCamera) {
             return View::SetCamera(Camera::of_mannequin());
         }

@@ -1,10 +1,7 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use super::page_screenshot::{figures_agree, view_of_page};
-use super::running::Program;
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
-use crate::editor::{Severity, View};
 use crate::geometry::Picture;
 use crate::render::Backdrop;
 use crate::revision::Revision;
@@ -25,13 +22,13 @@ pub(super) const DRAWING: Duration = Duration::from_millis(16);
 /// A comparison of the live view with a picture.
 pub(super) struct Comparison {
     /// Look from before it.
-    look_before: Look,
+    pub(super) look_before: Look,
     /// Look that it began with, and the backdrop of the reference.
-    looks: (Look, Backdrop),
+    pub(super) looks: (Look, Backdrop),
     /// Camera from before it, where the one of the page began it that the reference is a screenshot of.
-    camera_before: Option<Camera>,
-    /// Whether panels were cut off the reference.
-    is_cut: bool,
+    pub(super) camera_before: Option<Camera>,
+    /// Whether panels were cut off the reference, which is a screenshot of the Virtual Mannequin's page.
+    pub(super) is_cut: bool,
     /// File of the reference.
     path: PathBuf,
     name: String,
@@ -165,11 +162,6 @@ impl Comparison {
         }
     }
 
-    /// Whether panels were cut off the reference, which is a screenshot of the Virtual Mannequin's page.
-    pub fn is_cut(&self) -> bool {
-        self.is_cut
-    }
-
     /// Camera that the view goes back to when the comparison ends with `camera`: the one before it, unless it
     /// was moved meanwhile.
     pub fn camera_after(&self, camera: Camera) -> Camera {
@@ -269,7 +261,6 @@ impl Comparison {
         if before.is_some_and(|live| *live.picture == picture) {
             return false;
         }
-        self.report.figure_agrees = self.is_cut && figures_agree(&self.reference.picture, &picture);
         self.live = Some(Textured::new(picture));
         self.measure(now);
         true
@@ -317,6 +308,7 @@ impl Comparison {
         let job = Job::new(Work::Compare(CompareWork {
             of: wanted,
             half,
+            is_page: self.is_cut,
             pictures: PictureJob {
                 a: Arc::clone(&self.reference.picture),
                 b: live,
@@ -363,7 +355,11 @@ impl Comparison {
                 self.report.differences = Some(differences);
                 self.report.problem = None;
             }
-            Ok(Outcome::Judged(judgment)) => {
+            Ok(Outcome::Judged {
+                judgment,
+                figure_agrees,
+            }) => {
+                self.report.figure_agrees = figure_agrees;
                 self.measuring.judged = Some(result.of);
                 self.report.judgment = Some(judgment);
                 self.report.measuring = !is_newest;
@@ -375,60 +371,6 @@ impl Comparison {
                 self.report.judgment = None;
                 self.report.measuring = !is_newest;
             }
-        }
-    }
-}
-
-impl Program {
-    /// Begins a comparison with the picture `reference` from the file `path`: in the Studio look if that is what
-    /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's for a
-    /// screenshot of its page and where the document is shown in its look, and otherwise the course's. Of such a screenshot
-    /// the view is compared, from where the page starts if the camera has not been moved.
-    pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
-        let before = self.comparison.as_ref();
-        let before = before.map_or(self.session.view().look, |before| before.look_before);
-        self.mesh_comparison = None;
-        let studio = Backdrop::of_studio(&reference);
-        let of_page = view_of_page(&reference);
-        let is_cut = of_page.is_some();
-        let look = match (studio, before) {
-            _ if is_cut => Look::Mannequin,
-            (Some(_), _) => Look::Studio,
-            (None, Look::Mannequin) => Look::Mannequin,
-            (None, Look::Course | Look::Studio) => Look::Course,
-        };
-        self.session.look(View::SetLook(look));
-        let reference = of_page.unwrap_or(reference);
-        let settings = self.compare_settings();
-        let earlier = self.comparison.as_ref().and_then(|it| it.camera_before);
-        let mut comparison = Comparison::new(path, reference, settings, before);
-        comparison.looks = (look, studio.unwrap_or_default());
-        comparison.is_cut = is_cut;
-        comparison.camera_before = earlier;
-        let camera = self.session.view().camera;
-        if is_cut && camera == *self.session.start_camera() {
-            comparison.camera_before = Some(camera);
-            self.session.look(View::SetCamera(Camera::of_mannequin()));
-        }
-        if is_cut {
-            let name = &comparison.name;
-            let told = format!(
-                "{name} is compared without the keyframes below it; the camera stands where the page starts, unless you \
-                 had moved it, and goes back afterwards"
-            );
-            self.tell(Severity::Info, told);
-        }
-        self.comparison = Some(comparison);
-    }
-
-    /// Ends the comparison, and goes back to the look from before it unless another was chosen.
-    pub(super) fn end_comparison(&mut self) {
-        if let Some(comparison) = self.comparison.take() {
-            let view = *self.session.view();
-            self.session
-                .look(View::SetLook(comparison.look_after(view.look)));
-            let camera = comparison.camera_after(view.camera);
-            self.session.look(View::SetCamera(camera));
         }
     }
 }

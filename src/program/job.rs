@@ -1,3 +1,4 @@
+use super::page_figure::figures_agree;
 use crate::compare::{CompareError, Judgment, Measured, PictureJob};
 use crate::diagnose::{DiagnoseError, Diagnosis, MeshJob};
 use crate::geometry::Picture;
@@ -68,6 +69,8 @@ pub(super) struct CompareWork {
     /// State of the two pictures.
     pub of: Revision,
     pub half: Half,
+    /// Whether A is a screenshot of the Virtual Mannequin's page.
+    pub is_page: bool,
     /// A is the reference, B the live view.
     pub pictures: PictureJob,
 }
@@ -120,7 +123,11 @@ pub(super) struct MeshDiagnosed {
 #[derive(Debug)]
 pub(super) enum Outcome {
     Measured(Measured),
-    Judged(Judgment),
+    Judged {
+        judgment: Judgment,
+        /// See [`CompareReport`](crate::ui::CompareReport).
+        figure_agrees: Option<bool>,
+    },
 }
 
 impl Job {
@@ -225,8 +232,15 @@ impl CompareWork {
                 measured.map(move |measured| compared(measured.map(Outcome::Measured)))
             }
             Half::Judge => {
+                let [a, b] = [&self.pictures.a, &self.pictures.b].map(Arc::clone);
+                let is_page = self.is_page;
                 let judged = self.pictures.judge();
-                judged.map(move |judgment| compared(judgment.map(Outcome::Judged)))
+                judged.map(move |judgment| {
+                    compared(judgment.map(|judgment| Outcome::Judged {
+                        judgment,
+                        figure_agrees: is_page.then(|| figures_agree(&a, &b)),
+                    }))
+                })
             }
         }
     }

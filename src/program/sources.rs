@@ -117,7 +117,7 @@ impl Program {
         let (count, failed) = self.replace(&ids, &|_| None, &*host.files());
         if count > 0 && failed == 0 {
             // What was wrong with the files before; what still is has been told again.
-            self.session.messages.dismiss_before(since);
+            self.session.messages.dismiss_numbers(&(0..since));
         }
         let compares = self.compare_anew(host);
         match count {
@@ -151,7 +151,7 @@ impl Program {
         let since = self.session.messages.count();
         let (count, _) = self.replace(&ids, &|_| None, files);
         if count > 0 {
-            self.session.messages.dismiss_before(since);
+            self.session.messages.dismiss_numbers(&(0..since));
             let text = format!("{} is on the model that names it", file_name(path));
             self.tell(Severity::Info, text);
         }

@@ -261,14 +261,14 @@ pub(super) fn press(
     // In Blender these keys are about the selected bones.
     let why = match command {
         Command::ToggleVisible => {
-            "A bone cannot be hidden: with the Select tool (V), H hides the character"
+            Some("A bone cannot be hidden: with the Select tool (V), H hides the character")
         }
         Command::Duplicate => {
-            "A bone cannot be copied: with the Select tool (V), Shift+D copies the character"
+            Some("A bone cannot be copied: with the Select tool (V), Shift+D copies the character")
         }
-        _ => "",
+        _ => None,
     };
-    if of_bone && !why.is_empty() {
+    if let Some(why) = why.filter(|_| of_bone) {
         return actions.extend(tell_once(why, session));
     }
     let meant = match of_row {

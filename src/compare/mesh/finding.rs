@@ -184,19 +184,27 @@ impl MeshFinding {
 
     /// What B is, in a few words; `None` for what is no placement of A.
     pub fn brief(&self) -> Option<String> {
-        let sized = |words: String, factor: f64| match (factor - 1.0).abs() > NO_SCALE {
-            false => words,
-            true => format!("{words}, {} times as large", length(factor)),
-        };
+        if matches!(self, Self::OnePlace { .. }) {
+            return Some("all vertices in one place".to_owned());
+        }
+        let how = self.how()?;
         Some(match self {
+            _ if how.is_empty() => "the exact result".to_owned(),
+            Self::Axes { .. } => format!("the exact result with {how}"),
+            _ => format!("the exact result, {how}"),
+        })
+    }
+
+    /// How A was placed where B is, in a few words.
+    pub(crate) fn how(&self) -> Option<String> {
+        let (how, factor) = match self {
             Self::Offset { by } => {
                 let by = DVec3::from_array(*by).length();
-                format!("the exact result, moved by {}", length(by))
+                (Some(format!("moved by {}", length(by))), 1.0)
             }
-            Self::Scaled { factor, .. } => sized("the exact result".to_owned(), *factor),
+            Self::Scaled { factor, .. } => (None, *factor),
             Self::Axes { from_a, factor, .. } => {
-                let axes = from_a.join(", ");
-                sized(format!("the exact result with the axes {axes}"), *factor)
+                (Some(format!("the axes {}", from_a.join(", "))), *factor)
             }
             Self::Turned {
                 degrees,
@@ -204,19 +212,22 @@ impl MeshFinding {
                 mirrored,
                 ..
             } => {
-                let how =
+                let mirrored =
                     mirrored.map_or(String::new(), |axis| format!("mirrored along {axis} and "));
-                let words = format!("the exact result, {how}turned by {degrees:.1}°");
-                sized(words, *factor)
+                (Some(format!("{mirrored}turned by {degrees:.1}°")), *factor)
             }
-            Self::OnePlace { .. } => "all vertices in one place".to_owned(),
-            Self::NotFinite { .. }
+            Self::OnePlace { .. }
+            | Self::NotFinite { .. }
             | Self::Rounded { .. }
             | Self::Permuted { .. }
             | Self::Winding { .. }
             | Self::Triangles { .. }
             | Self::TriangleOrder => return None,
-        })
+        };
+        let is_scaled = (factor - 1.0).abs() > NO_SCALE;
+        let times = is_scaled.then(|| format!("{} times as large", length(factor)));
+        let all: Vec<String> = how.into_iter().chain(times).collect();
+        Some(all.join(", "))
     }
 }
 

@@ -20,7 +20,7 @@ pub use mesh_view::{CompareMeshAction, CompareMeshView, MeshesShown};
 pub(super) use outlined::Outlined;
 pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;
-pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels};
+pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels, mannequin_panels};
 
 use crate::compare::{CompareError, Differences, Judgment};
 use crate::geometry::Picture;
@@ -79,8 +79,8 @@ pub struct CompareReport {
     /// Why nothing can be measured.
     pub problem: Option<CompareError>,
     /// Whether the figure in a screenshot of the Virtual Mannequin's page is the one in the live view, whatever differs of
-    /// floor and bones.
-    pub figure_agrees: bool,
+    /// floor and bones; `None` for other pictures, and before it is known.
+    pub figure_agrees: Option<bool>,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

@@ -293,7 +293,7 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                         link(ui, &place, area, outlined);
                     }
                 }
-                if judgment.findings.is_empty() && report.figure_agrees {
+                if judgment.findings.is_empty() && report.figure_agrees == Some(true) {
                     say(ui, FIGURE_AGREES, palette.strong);
                 } else if judgment.findings.is_empty() {
                     let text = "No single cause explains the differences.";
@@ -364,15 +364,18 @@ fn hints(
 ) -> impl Iterator<Item = &'static str> {
     let settings = compare.settings;
     let look_is_course = look == Look::Course;
-    let of_page = look == Look::Mannequin && compare.is_cut;
+    let agrees = compare
+        .report
+        .figure_agrees
+        .filter(|_| look == Look::Mannequin);
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     let other_look = other_look(look, compare.look).into_iter();
     let others = [
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
-        (of_page && compare.report.figure_agrees, OF_PAGE),
-        (of_page && !compare.report.figure_agrees, OF_PAGE_ELSEWHERE),
+        (agrees == Some(true), OF_PAGE),
+        (agrees == Some(false), OF_PAGE_ELSEWHERE),
     ];
     let others = others.into_iter();
     other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))

@@ -1,8 +1,9 @@
 //! The list of mistakes, each of which can be made by a click.
 
 use super::shown::{Made, capitalized};
+use crate::character::Character;
 use crate::diagnose::{MISTAKES, Mistake, ToldFor, ToldMistake};
-use crate::scene::Shape;
+use crate::scene::{Shape, ShapeKind};
 use crate::ui::CompareMeshView;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::{named, section};
@@ -18,6 +19,10 @@ pub(super) fn show(
     made: &mut Option<Made>,
 ) {
     let program = ToldFor::of_file(character.and_then(Shape::source_file));
+    let skinned = character.and_then(|shape| match &shape.kind {
+        ShapeKind::Character(shape) => Some(&*shape.character),
+        _ => None,
+    });
     let character = character.map(|shape| shape.id);
     section(ui, "Make this mistake");
     let weak = Palette::of(ui.visuals()).weak;
@@ -40,7 +45,7 @@ pub(super) fn show(
             if index == 0 {
                 ui.label(RichText::new(told.section).small().color(weak));
             }
-            row(ui, mistake, &told, made);
+            row(ui, (mistake, &told), skinned, made);
         }
     }
 }
@@ -69,7 +74,13 @@ fn found(ui: &mut Ui, compare: &CompareMeshView, made: &mut Option<Made>) {
     }
 }
 
-fn row(ui: &mut Ui, mistake: &'static Mistake, told: &ToldMistake, made: &mut Option<Made>) {
+/// A mistake with its ways that there are for the character `skinned`.
+fn row(
+    ui: &mut Ui,
+    (mistake, told): (&'static Mistake, &ToldMistake),
+    skinned: Option<&Character>,
+    made: &mut Option<Made>,
+) {
     let is_made = made.is_some_and(|made| std::ptr::eq(made.mistake, mistake));
     let sentence = capitalized(told.meaning);
     let button = Button::selectable(is_made, &sentence)
@@ -93,6 +104,9 @@ fn row(ui: &mut Ui, mistake: &'static Mistake, told: &ToldMistake, made: &mut Op
         let several = mistake.readings.iter().filter(|it| !it.how.is_empty());
         for reading in several {
             let own = Made { mistake, reading };
+            if skinned.is_some_and(|skinned| !own.formula().is_of(skinned)) {
+                continue;
+            }
             let button = Button::selectable(*made == Some(own), RichText::new(reading.how).small());
             if ui.add(button.wrap()).clicked() {
                 *made = Some(own);
