@@ -1,6 +1,6 @@
 use super::dialog_files::DialogFiles;
 use super::typed_name::{full_path, trimmed};
-use super::typed_path::{TypedPath, text};
+use super::typed_path::{TOP, TypedPath, text};
 use crate::disk::Disk;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
@@ -21,6 +21,8 @@ const NARROW: f32 = 480.0;
 const AWAY_FROM_EDGES: Vec2 = vec2(40.0, 64.0);
 /// Height of the part at the bottom with the name of a file that is to be written, in points.
 const BOTTOM: f32 = 88.0;
+/// Width at the right of the search in which there is no other field, in points.
+const BESIDE_SEARCH: f32 = 40.0;
 
 /// The file dialog of the window, drawn inside it: it needs no desktop portal.
 #[derive(Default)]
@@ -136,6 +138,8 @@ impl OpenDialog {
         config.show_new_folder_button = !(is_narrow && self.request.purpose.written().is_empty());
         let popup = egui::Popup::is_any_open(context);
         let escape = !popup && context.input(|input| input.key_pressed(Key::Escape));
+        self.typed.folder = self.dialog.storage_mut().last_visited_dir.clone();
+        self.typed.complete(context);
         self.typed.give(context);
         let searches = self.request.purpose.written().is_empty() && !self.types_path;
         let begins_path = searches && self.typed.begins(context, self.rect(context));
@@ -147,6 +151,13 @@ impl OpenDialog {
         if edits_path {
             // The dialog passes over the key while the name has the keyboard.
             surrender_focus(context);
+            if !begins_path {
+                self.typed.expect();
+            }
+        } else if self.enters_search(context) {
+            // The dialog would only let go of the search, and wait for another Enter.
+            surrender_focus(context);
+            self.typed.hold_keys(context);
         } else {
             self.type_name(context);
         }
@@ -199,6 +210,18 @@ impl OpenDialog {
         }
     }
 
+    /// Whether Enter is pressed in the search, whose first file is the chosen one.
+    fn enters_search(&self, context: &Context) -> bool {
+        let field = focused_field(context);
+        let (Some(field), Some(dialog)) = (field, self.rect(context)) else {
+            return false;
+        };
+        let is_search = self.request.purpose.written().is_empty()
+            && field.rect.bottom() < dialog.top() + TOP
+            && field.rect.right() > dialog.right() - BESIDE_SEARCH;
+        is_search && context.input(|input| input.key_pressed(Key::Enter))
+    }
+
     /// Rectangle of the dialog, in points.
     fn rect(&self, context: &Context) -> Option<Rect> {
         context.memory(|memory| memory.area_rect(self.window()))
@@ -214,8 +237,7 @@ impl OpenDialog {
 
     /// Whether the field at the bottom has the keyboard: that of the path is at the top.
     fn types_name_now(&self, context: &Context) -> bool {
-        let focused = context.memory(|memory| memory.focused());
-        let field = focused.and_then(|id| context.read_response(id));
+        let field = focused_field(context);
         let (Some(field), Some(dialog)) = (field, self.rect(context)) else {
             return false;
         };
@@ -239,6 +261,12 @@ impl OpenDialog {
         };
         painter.text(at, Align2::LEFT_CENTER, hint, font, color);
     }
+}
+
+/// What has the keyboard, as it was in the last frame.
+fn focused_field(context: &Context) -> Option<egui::Response> {
+    let focused = context.memory(|memory| memory.focused());
+    focused.and_then(|id| context.read_response(id))
 }
 
 fn surrender_focus(context: &Context) {
@@ -386,6 +414,92 @@ mod tests {
             inside > 20 && behind == 0,
             "{inside} inside, {behind} behind"
         );
+    }
+
+    #[test]
+    fn enter_in_the_search_opens_the_first_file_that_is_found() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["a.scene", "b.scene", "bc.scene"] {
+            std::fs::write(folder.path().join(name), "").unwrap();
+        }
+        let mut dialog = opened(Purpose::Open, folder.path(), "");
+        let context = Context::default();
+        let mut chosen = None;
+        for events in [
+            Vec::new(),
+            Vec::new(),
+            vec![egui::Event::Text("b".to_owned())],
+            Vec::new(),
+            vec![egui::Event::Text("c".to_owned())],
+            Vec::new(),
+            pressed(Key::Enter).to_vec(),
+            Vec::new(),
+        ] {
+            chosen = chosen.or(frame(&context, &mut dialog, events).1);
+        }
+        assert_eq!(chosen, Some(folder.path().join("bc.scene")));
+        assert!(!dialog.is_open());
+    }
+
+    #[test]
+    fn a_relative_path_leads_on_from_the_folder_that_is_shown() {
+        let ctrl = Modifiers::CTRL | Modifiers::COMMAND;
+        let key = egui::Event::Key {
+            key: Key::L,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: ctrl,
+        };
+        let held = |modifiers| egui::Event::ModifiersChanged(modifiers);
+        let ctrl_l = [vec![held(ctrl), key], vec![held(Modifiers::NONE)]];
+        let typed = |text: &str| vec![egui::Event::Text(text.to_owned())];
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("shown");
+        std::fs::create_dir(&folder).unwrap();
+        for file in [root.path().join("a.scene"), folder.join("b.scene")] {
+            std::fs::write(file, "").unwrap();
+        }
+        for (keys, found) in [
+            (vec![typed("../a.scene")], "a.scene"),
+            (
+                vec![typed("."), typed("."), typed("/"), typed("a.scene")],
+                "a.scene",
+            ),
+            (vec![typed("./b.scene")], "shown/b.scene"),
+            (
+                [ctrl_l.to_vec(), vec![typed("b"), typed(".scene")]].concat(),
+                "shown/b.scene",
+            ),
+            (
+                [ctrl_l.to_vec(), vec![typed("../a.scene")]].concat(),
+                "a.scene",
+            ),
+        ] {
+            let mut dialog = opened(Purpose::Open, &folder, "");
+            let context = Context::default();
+            let mut chosen = None;
+            let enter = [
+                Vec::new(),
+                Vec::new(),
+                pressed(Key::Enter).to_vec(),
+                Vec::new(),
+                Vec::new(),
+            ];
+            for events in [Vec::new(), Vec::new()]
+                .into_iter()
+                .chain(keys)
+                .chain(enter)
+            {
+                chosen = chosen.or(frame(&context, &mut dialog, events).1);
+            }
+            let chosen = chosen.and_then(|path| path.canonicalize().ok());
+            assert_eq!(
+                chosen,
+                root.path().join(found).canonicalize().ok(),
+                "{found}"
+            );
+        }
     }
 
     #[test]

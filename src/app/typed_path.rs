@@ -4,15 +4,19 @@ use super::file_dialog::EDIT_PATH;
 use egui::text::CharIndex;
 use egui::{Context, Event, InputState, Key, Rect, TextEdit};
 use std::collections::VecDeque;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Height of the part at the top with the path and the search, in points.
-const TOP: f32 = 80.0;
+pub(super) const TOP: f32 = 90.0;
 
 /// What is typed of a path before the field for it has the keyboard. Without it, the dialog would search
 /// the folder for it.
 #[derive(Default)]
 pub(super) struct TypedPath {
+    /// Folder that the dialog shows, which relative paths are meant to begin in.
+    pub folder: Option<PathBuf>,
+    /// Whether what is typed next is the beginning of a path, whose field has been opened by its key.
+    is_next: bool,
     /// Dots that may begin a path, or else a search.
     held: String,
     /// What the field gets once it has the keyboard, and what was typed meanwhile.
@@ -30,8 +34,7 @@ impl TypedPath {
         let held = std::mem::take(&mut self.held);
         let all = held.clone() + &typed;
         if begins_path(&all) {
-            let home = directories::BaseDirs::new();
-            let path = with_home(&all, home.as_ref().map(directories::BaseDirs::home_dir));
+            let path = self.from_root(&all);
             context.input_mut(|input| {
                 self.waiting.push_back(Event::Text(path));
                 let keys = taken(input).filter(|event| text(event).is_none());
@@ -62,6 +65,44 @@ impl TypedPath {
             }
         });
         false
+    }
+
+    /// To be called where the field for paths is opened by its key, in which what is typed replaces all.
+    pub fn expect(&mut self) {
+        self.is_next = true;
+    }
+
+    /// To be called before the dialog is shown, where a path is typed: puts the dialog's folder before the
+    /// beginning of a relative one, since the dialog would look for it where the program was started.
+    pub fn complete(&mut self, context: &Context) {
+        if !self.is_next {
+            return;
+        }
+        let ends = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+        context.input_mut(|input| {
+            let is_over = |event: &Event| ends(event) || text(event).is_some();
+            self.is_next = !input.events.iter().any(is_over);
+            let mut typed = input
+                .events
+                .iter_mut()
+                .filter(|event| text(event).is_some());
+            if let Some(Event::Text(typed) | Event::Paste(typed)) = typed.next() {
+                *typed = self.from_root(typed);
+            }
+        });
+    }
+
+    /// A path that is typed, or its beginning, with what a relative one and a tilde mean.
+    fn from_root(&self, typed: &str) -> String {
+        let home = directories::BaseDirs::new();
+        let path = with_home(typed, home.as_ref().map(directories::BaseDirs::home_dir));
+        in_folder(&path, self.folder.as_deref())
+    }
+
+    /// Keeps what is typed in this frame for the next one.
+    pub fn hold_keys(&mut self, context: &Context) {
+        context.input_mut(|input| self.waiting.extend(taken(input)));
+        context.request_repaint();
     }
 
     /// To be called before the dialog is shown: gives the field what waits for it, text first and then one
@@ -139,6 +180,19 @@ fn with_home(path: &str, home: Option<&Path>) -> String {
     }
 }
 
+/// `path`, or its beginning, in `folder` if it is a relative one.
+fn in_folder(path: &str, folder: Option<&Path>) -> String {
+    // Of a letter it is not known whether that is a drive.
+    let is_relative = !Path::new(path).has_root() && (cfg!(not(windows)) || path.starts_with('.'));
+    match folder {
+        Some(folder) if is_relative && !path.starts_with('~') => {
+            // With a separator behind it, and the dots as they are typed.
+            format!("{}{path}", folder.join("").display())
+        }
+        _ => path.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -161,5 +215,20 @@ mod tests {
         assert_eq!(with_home("~bob/a.obj", home), "~bob/a.obj");
         assert_eq!(with_home("/tmp/~", home), "/tmp/~");
         assert_eq!(with_home("~/a", None), "~/a");
+    }
+
+    #[test]
+    fn a_relative_path_is_in_the_folder_that_the_dialog_shows() {
+        let folder = Some(Path::new("/home/ada"));
+        for (typed, meant) in [
+            ("../a.obj", "/home/ada/../a.obj"),
+            ("./", "/home/ada/./"),
+            ("/tmp/a", "/tmp/a"),
+            ("~bob/a", "~bob/a"),
+        ] {
+            assert_eq!(in_folder(typed, folder), meant);
+            assert_eq!(in_folder(typed, None), typed);
+        }
+        assert_eq!(in_folder("./a", Some(Path::new("/"))), "/./a");
     }
 }
