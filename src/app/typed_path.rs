@@ -34,7 +34,7 @@ impl TypedPath {
         let held = std::mem::take(&mut self.held);
         let all = held.clone() + &typed;
         if begins_path(&all) {
-            let path = self.from_root(&all);
+            let path = self.full_path(&all);
             context.input_mut(|input| {
                 self.waiting.push_back(Event::Text(path));
                 let keys = taken(input).filter(|event| text(event).is_none());
@@ -87,13 +87,13 @@ impl TypedPath {
                 .iter_mut()
                 .filter(|event| text(event).is_some());
             if let Some(Event::Text(typed) | Event::Paste(typed)) = typed.next() {
-                *typed = self.from_root(typed);
+                *typed = self.full_path(typed);
             }
         });
     }
 
     /// A path that is typed, or its beginning, with what a relative one and a tilde mean.
-    fn from_root(&self, typed: &str) -> String {
+    fn full_path(&self, typed: &str) -> String {
         let home = directories::BaseDirs::new();
         let path = with_home(typed, home.as_ref().map(directories::BaseDirs::home_dir));
         in_folder(&path, self.folder.as_deref())
