@@ -1,49 +1,15 @@
-use super::dialog_files::DialogFiles;
-use super::typed_name::{full_path, trimmed};
-use super::typed_path::{TOP, TypedPath, text};
+use super::open_dialog::OpenDialog;
+use super::typed_name::trimmed;
 use crate::disk::Disk;
-use crate::program::{FileRequest, Purpose, Suggested};
-use crate::ui;
-use egui::text::{CCursor, CCursorRange};
-use egui::{
-    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextEdit,
-    TextStyle, Vec2, pos2, vec2,
-};
-use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
+use crate::program::{FileRequest, Suggested};
+use egui::Context;
+use egui_file_dialog::DialogState;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-/// Size in windows that have room for it, in points.
-const SIZE: Vec2 = vec2(640.0, 440.0);
-/// Width below which some buttons give way, in points.
-const NARROW: f32 = 480.0;
-/// Least distance from the edges of the window, in points, with the dialog's own margins.
-const AWAY_FROM_EDGES: Vec2 = vec2(40.0, 64.0);
-/// Height of the part at the bottom with the name of a file that is to be written, in points.
-const BOTTOM: f32 = 88.0;
-/// Width at the right of the search in which there is no other field, in points.
-const BESIDE_SEARCH: f32 = 40.0;
 
 /// The file dialog of the window, drawn inside it: it needs no desktop portal.
 #[derive(Default)]
 pub(super) struct WindowFileDialog {
     open: Option<OpenDialog>,
-}
-
-struct OpenDialog {
-    request: FileRequest,
-    dialog: FileDialog,
-    recent: Vec<PathBuf>,
-    /// Whether the name of the file had the keyboard at the end of the last frame.
-    types_name: bool,
-    /// Field of that name, once it has had the keyboard.
-    name_field: Option<Id>,
-    /// Whether the dialog asks about an existing file, in place of that field.
-    asks: bool,
-    /// Whether the path has had the keyboard since it was asked for.
-    types_path: bool,
-    /// A path that is typed where the dialog would search for it.
-    typed: TypedPath,
 }
 
 impl WindowFileDialog {
@@ -54,35 +20,7 @@ impl WindowFileDialog {
     /// Opens it, in place of one that is open already. A file that is to be written has the
     /// suggested name until the user does otherwise.
     pub fn open(&mut self, request: FileRequest, suggested: Suggested) {
-        let purpose = request.purpose;
-        let mut dialog = dialog(purpose, &suggested);
-        if let Some((first, _)) = purpose.written().first() {
-            // What is typed belongs to the name, not to a search that would choose another file.
-            dialog = dialog
-                .show_search(false)
-                // Without the search it would stand out of the dialog.
-                .show_menu_button(false)
-                // The extension is added where it is missing, as it is to a name.
-                .allow_path_edit_to_save_file_without_extension(true)
-                .default_file_name(&suggested.name);
-            for (name, extension) in purpose.written() {
-                dialog = dialog.add_save_extension(name, extension);
-            }
-            dialog = dialog.default_save_extension(first);
-            dialog.save_file();
-        } else {
-            dialog.pick_file();
-        }
-        self.open = Some(OpenDialog {
-            request,
-            dialog,
-            recent: suggested.recent,
-            types_name: false,
-            name_field: None,
-            asks: false,
-            types_path: false,
-            typed: TypedPath::default(),
-        });
+        self.open = Some(OpenDialog::new(request, suggested));
     }
 
     /// Shows the dialog if it is open; returns the file once one is chosen.
@@ -125,227 +63,12 @@ impl WindowFileDialog {
     }
 }
 
-impl OpenDialog {
-    /// Shows it; returns the file once one is chosen.
-    fn show(&mut self, context: &Context) -> Option<PathBuf> {
-        let room = context.content_rect().size() - AWAY_FROM_EDGES;
-        let config = self.dialog.config_mut();
-        config.max_size = Some(room);
-        config.min_size = config.min_size.min(room);
-        // What there is another way to do gives way to the path and the search.
-        let is_narrow = room.x < NARROW;
-        config.show_forward_button = !is_narrow;
-        config.show_new_folder_button = !(is_narrow && self.request.purpose.written().is_empty());
-        let popup = egui::Popup::is_any_open(context);
-        let escape = !popup && context.input(|input| input.key_pressed(Key::Escape));
-        self.typed.folder = self.dialog.storage_mut().last_visited_dir.clone();
-        self.typed.complete(context);
-        self.typed.give(context);
-        let searches = self.request.purpose.written().is_empty() && !self.types_path;
-        let begins_path = searches && self.typed.begins(context, self.rect(context));
-        let edits_path = begins_path
-            || context.input(|input| {
-                input.key_pressed(EDIT_PATH.logical_key)
-                    && input.modifiers.matches_exact(EDIT_PATH.modifiers)
-            });
-        if edits_path {
-            // The dialog passes over the key while the name has the keyboard.
-            surrender_focus(context);
-            if !begins_path {
-                self.typed.expect();
-            }
-        } else if self.enters_search(context) {
-            // The dialog would only let go of the search, and wait for another Enter.
-            surrender_focus(context);
-            self.typed.hold_keys(context);
-        } else {
-            self.type_name(context);
-        }
-        let layer = self.layer();
-        ui::in_colors_of_file_dialogs(context, layer, || {
-            self.dialog.update(context);
-            self.paint_hint(context);
-        });
-        // The dialog keeps the pointer from what is behind it, but not the keyboard.
-        context.memory_mut(|memory| memory.set_modal_layer(layer));
-        let focused = context.memory(|memory| memory.focused());
-        let is_shown = |field| context.read_response(field).is_some();
-        let asks = self.name_field.is_some_and(|name| !is_shown(name));
-        let asked = std::mem::replace(&mut self.asks, asks) && !asks;
-        if edits_path && let Some(path) = focused {
-            // What is typed replaces the path, as in other dialogs.
-            select_all(context, path);
-        } else if let (true, None, Some(name)) =
-            (self.types_path || asked, focused, self.name_field)
-        {
-            // After the folder comes the name in it; after the question whether to replace a file,
-            // another name.
-            context.memory_mut(|memory| memory.request_focus(name));
-            select_all(context, name);
-        }
-        self.types_path = focused.is_some() && (edits_path || self.types_path);
-        let picked = self.dialog.take_picked().map(|path| full_path(&path));
-        if picked.is_none() && escape && self.types_name {
-            // The dialog would only let go of the name, and wait for another Esc.
-            self.dialog = FileDialog::new();
-        }
-        self.types_name = self.types_name_now(context);
-        if self.types_name {
-            self.name_field = context.memory(|memory| memory.focused());
-        }
-        picked
-    }
-
-    /// Gives the keyboard back to the name where a letter is typed after a click elsewhere, such as on a
-    /// folder. What is typed replaces the name, as where the dialog opens.
-    fn type_name(&self, context: &Context) {
-        let is_saved = !self.request.purpose.written().is_empty();
-        let Some(name) = self.name_field.filter(|_| is_saved && !self.asks) else {
-            return;
-        };
-        let types = context.input(|input| input.events.iter().any(|event| text(event).is_some()));
-        if types && context.memory(|memory| memory.focused()).is_none() {
-            context.memory_mut(|memory| memory.request_focus(name));
-            select_all(context, name);
-        }
-    }
-
-    /// Whether Enter is pressed in the search, whose first file is the chosen one.
-    fn enters_search(&self, context: &Context) -> bool {
-        let field = focused_field(context);
-        let (Some(field), Some(dialog)) = (field, self.rect(context)) else {
-            return false;
-        };
-        let is_search = self.request.purpose.written().is_empty()
-            && field.rect.bottom() < dialog.top() + TOP
-            && field.rect.right() > dialog.right() - BESIDE_SEARCH;
-        is_search && context.input(|input| input.key_pressed(Key::Enter))
-    }
-
-    /// Rectangle of the dialog, in points.
-    fn rect(&self, context: &Context) -> Option<Rect> {
-        context.memory(|memory| memory.area_rect(self.window()))
-    }
-
-    fn window(&self) -> Id {
-        self.dialog.get_window_id()
-    }
-
-    fn layer(&self) -> LayerId {
-        LayerId::new(Order::Middle, self.window())
-    }
-
-    /// Whether the field at the bottom has the keyboard: that of the path is at the top.
-    fn types_name_now(&self, context: &Context) -> bool {
-        let field = focused_field(context);
-        let (Some(field), Some(dialog)) = (field, self.rect(context)) else {
-            return false;
-        };
-        field.rect.top() > dialog.bottom() - BOTTOM
-    }
-
-    /// Tells how a path is typed, beside the buttons at the bottom: the dialog itself tells nobody.
-    fn paint_hint(&self, context: &Context) {
-        let Some(dialog) = self.rect(context) else {
-            return;
-        };
-        let painter = context.layer_painter(self.layer());
-        let at = pos2(dialog.left() + 16.0, dialog.bottom() - 22.0);
-        let style = context.global_style();
-        let font = TextStyle::Small.resolve(&style);
-        let color = style.visuals.weak_text_color();
-        let key = context.format_shortcut(&EDIT_PATH);
-        let hint = match self.request.purpose.written() {
-            [] => format!("/ or {key}: type a path"),
-            _ => format!("{key}: type a path"),
-        };
-        painter.text(at, Align2::LEFT_CENTER, hint, font, color);
-    }
-}
-
-/// What has the keyboard, as it was in the last frame.
-fn focused_field(context: &Context) -> Option<egui::Response> {
-    let focused = context.memory(|memory| memory.focused());
-    focused.and_then(|id| context.read_response(id))
-}
-
-fn surrender_focus(context: &Context) {
-    context.memory_mut(|memory| {
-        if let Some(field) = memory.focused() {
-            memory.surrender_focus(field);
-        }
-    });
-}
-
-/// Selects all of the text in a field.
-fn select_all(context: &Context, field: Id) {
-    let mut state = TextEdit::load_state(context, field).unwrap_or_default();
-    // Cursors after the end are at the end.
-    let all = CCursorRange::two(CCursor::default(), CCursor::new(usize::MAX));
-    state.cursor.set_char_range(Some(all));
-    state.store(context, field);
-}
-
-fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {
-    let filter = Filter::new(move |path: &Path| purpose.offers(&Disk, path));
-    let mut dialog = FileDialog::with_file_system(Arc::new(DialogFiles(purpose)))
-        .title(purpose.title())
-        .id("file dialog")
-        .add_file_filter(purpose.filter(), filter)
-        .default_file_filter(purpose.filter())
-        .keybindings(keys())
-        .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
-        .default_size(SIZE);
-    let recent: Vec<&PathBuf> = suggested.recent.iter().filter(|f| f.is_dir()).collect();
-    if !recent.is_empty() {
-        dialog = dialog.add_quick_access("Recent", |places| {
-            for folder in &recent {
-                places.add_path(&name_among(folder, &recent), *folder);
-            }
-        });
-    }
-    let folder = suggested.folder.as_ref().filter(|folder| folder.is_dir());
-    match folder.or(recent.first().copied()) {
-        Some(folder) => dialog.initial_directory(folder.clone()),
-        None => dialog,
-    }
-}
-
-/// Name of a folder, with that of the folder it is in if another of `folders` is called the same.
-fn name_among(folder: &Path, folders: &[&PathBuf]) -> String {
-    let name = folder.file_name();
-    let same = folders.iter().filter(|other| other.file_name() == name);
-    let parent = folder.parent().and_then(Path::file_name);
-    let name = name.unwrap_or(folder.as_os_str()).to_string_lossy();
-    match parent {
-        Some(parent) if same.count() > 1 => format!("{}/{name}", parent.to_string_lossy()),
-        _ => name.into_owned(),
-    }
-}
-
-/// Key for the path.
-pub(super) const EDIT_PATH: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::L);
-
-/// The dialog's keys, with Ctrl+L for the path, as other file dialogs have it. The slash, which
-/// would open the path of the current folder and be lost, is typed like any other letter.
-fn keys() -> FileDialogKeyBindings {
-    FileDialogKeyBindings {
-        edit_path: vec![KeyBinding::KeyboardShortcut(EDIT_PATH)],
-        ..FileDialogKeyBindings::default()
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::open_dialog::surrender_focus;
     use super::*;
-
-    #[test]
-    fn recent_folders_of_one_name_are_told_apart_by_where_they_are() {
-        let folders = ["/a/poses", "/b/poses", "/b/scenes", "/"].map(PathBuf::from);
-        let all: Vec<&PathBuf> = folders.iter().collect();
-        let names: Vec<String> = all.iter().map(|folder| name_among(folder, &all)).collect();
-        assert_eq!(names, ["a/poses", "b/poses", "scenes", "/"]);
-    }
+    use crate::program::Purpose;
+    use egui::{Event, Key, Modifiers};
 
     /// Opens a dialog that starts in `folder`.
     fn opened(purpose: Purpose, folder: &Path, name: &str) -> WindowFileDialog {
@@ -363,12 +86,29 @@ mod tests {
         dialog
     }
 
+    /// The file that is chosen in these frames, each with what happens in it.
+    fn chosen(
+        context: &Context,
+        dialog: &mut WindowFileDialog,
+        frames: impl IntoIterator<Item = Vec<Event>>,
+    ) -> Option<PathBuf> {
+        let all = frames
+            .into_iter()
+            .map(|events| frame(context, dialog, events).1);
+        // Every frame is run, also after the one in which the file is chosen.
+        all.fold(None, Option::or)
+    }
+
+    fn typed(text: &str) -> Vec<Event> {
+        vec![Event::Text(text.to_owned())]
+    }
+
     /// Runs a frame with a button behind the dialog; returns whether that has the keyboard, and the file that
     /// is chosen.
     fn frame(
         context: &Context,
         dialog: &mut WindowFileDialog,
-        events: Vec<egui::Event>,
+        events: Vec<Event>,
     ) -> (bool, Option<PathBuf>) {
         let input = egui::RawInput {
             events,
@@ -383,14 +123,28 @@ mod tests {
         (is_behind, chosen)
     }
 
-    fn pressed(key: Key) -> [egui::Event; 2] {
-        [true, false].map(|pressed| egui::Event::Key {
+    fn pressed(key: Key) -> [Event; 2] {
+        [true, false].map(|pressed| Event::Key {
             key,
             physical_key: None,
             pressed,
             repeat: false,
-            modifiers: egui::Modifiers::NONE,
+            modifiers: Modifiers::NONE,
         })
+    }
+
+    /// Ctrl+L, and what follows when Ctrl is let go.
+    fn ctrl_l() -> Vec<Vec<Event>> {
+        let ctrl = Modifiers::CTRL | Modifiers::COMMAND;
+        let key = Event::Key {
+            key: Key::L,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: ctrl,
+        };
+        let held = Event::ModifiersChanged;
+        vec![vec![held(ctrl), key], vec![held(Modifiers::NONE)]]
     }
 
     #[test]
@@ -417,43 +171,47 @@ mod tests {
     }
 
     #[test]
-    fn enter_in_the_search_opens_the_first_file_that_is_found() {
-        let folder = tempfile::tempdir().unwrap();
+    fn enter_in_the_search_opens_the_first_file_or_folder_that_is_found() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("scenes");
+        std::fs::create_dir(&folder).unwrap();
         for name in ["a.scene", "b.scene", "bc.scene"] {
-            std::fs::write(folder.path().join(name), "").unwrap();
+            std::fs::write(folder.join(name), "").unwrap();
         }
-        let mut dialog = opened(Purpose::Open, folder.path(), "");
+        let mut dialog = opened(Purpose::Open, root.path(), "");
+        // What a thread finds comes in any frame: the folder is read anew in the first one.
+        if let Some(open) = &mut dialog.open {
+            open.dialog.config_mut().load_via_thread = false;
+        }
         let context = Context::default();
-        let mut chosen = None;
-        for events in [
+        let enter = || pressed(Key::Enter).to_vec();
+        let into_folder = [
+            pressed(Key::F5).to_vec(),
+            Vec::new(),
+            typed("s"),
+            Vec::new(),
+            enter(),
+        ];
+        let to_file = [
             Vec::new(),
             Vec::new(),
-            vec![egui::Event::Text("b".to_owned())],
+            typed("b"),
+            typed("c"),
             Vec::new(),
-            vec![egui::Event::Text("c".to_owned())],
+            enter(),
             Vec::new(),
-            pressed(Key::Enter).to_vec(),
-            Vec::new(),
-        ] {
-            chosen = chosen.or(frame(&context, &mut dialog, events).1);
-        }
-        assert_eq!(chosen, Some(folder.path().join("bc.scene")));
+        ];
+        let chosen = chosen(
+            &context,
+            &mut dialog,
+            into_folder.into_iter().chain(to_file),
+        );
+        assert_eq!(chosen, Some(folder.join("bc.scene")));
         assert!(!dialog.is_open());
     }
 
     #[test]
     fn a_relative_path_leads_on_from_the_folder_that_is_shown() {
-        let ctrl = Modifiers::CTRL | Modifiers::COMMAND;
-        let key = egui::Event::Key {
-            key: Key::L,
-            physical_key: None,
-            pressed: true,
-            repeat: false,
-            modifiers: ctrl,
-        };
-        let held = |modifiers| egui::Event::ModifiersChanged(modifiers);
-        let ctrl_l = [vec![held(ctrl), key], vec![held(Modifiers::NONE)]];
-        let typed = |text: &str| vec![egui::Event::Text(text.to_owned())];
         let root = tempfile::tempdir().unwrap();
         let folder = root.path().join("shown");
         std::fs::create_dir(&folder).unwrap();
@@ -468,17 +226,14 @@ mod tests {
             ),
             (vec![typed("./b.scene")], "shown/b.scene"),
             (
-                [ctrl_l.to_vec(), vec![typed("b"), typed(".scene")]].concat(),
+                [ctrl_l(), vec![typed("b"), typed(".scene")]].concat(),
                 "shown/b.scene",
             ),
-            (
-                [ctrl_l.to_vec(), vec![typed("../a.scene")]].concat(),
-                "a.scene",
-            ),
+            ([ctrl_l(), vec![typed("../a.scene")]].concat(), "a.scene"),
         ] {
             let mut dialog = opened(Purpose::Open, &folder, "");
             let context = Context::default();
-            let mut chosen = None;
+            let opening = [Vec::new(), Vec::new()];
             let enter = [
                 Vec::new(),
                 Vec::new(),
@@ -486,13 +241,8 @@ mod tests {
                 Vec::new(),
                 Vec::new(),
             ];
-            for events in [Vec::new(), Vec::new()]
-                .into_iter()
-                .chain(keys)
-                .chain(enter)
-            {
-                chosen = chosen.or(frame(&context, &mut dialog, events).1);
-            }
+            let frames = opening.into_iter().chain(keys).chain(enter);
+            let chosen = chosen(&context, &mut dialog, frames);
             let chosen = chosen.and_then(|path| path.canonicalize().ok());
             assert_eq!(
                 chosen,
@@ -503,6 +253,41 @@ mod tests {
     }
 
     #[test]
+    fn a_name_is_no_path_where_it_is_clicked_after_ctrl_l() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut dialog = opened(Purpose::SaveScene, folder.path(), "a.scene");
+        let context = Context::default();
+        let none = chosen(&context, &mut dialog, [Vec::new(), Vec::new(), Vec::new()]);
+        assert_eq!(none, None);
+        let name = dialog.open.as_ref().and_then(|open| open.name_field);
+        let name = name.and_then(|field| context.read_response(field)).unwrap();
+        let button = |pressed| Event::PointerButton {
+            pos: name.rect.center(),
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        let click = vec![
+            vec![Event::PointerMoved(name.rect.center())],
+            vec![button(true)],
+            vec![button(false)],
+        ];
+        chosen(
+            &context,
+            &mut dialog,
+            [ctrl_l(), click, vec![typed("b")], vec![Vec::new()]].concat(),
+        );
+        let shown = context
+            .read_response(name.id)
+            .is_some_and(|field| field.has_focus());
+        assert!(shown, "the name has no keyboard");
+        let rest = [pressed(Key::Enter).to_vec(), Vec::new(), Vec::new()];
+        let chosen = chosen(&context, &mut dialog, rest);
+        let parent = chosen.and_then(|path| path.parent().map(Path::to_owned));
+        assert_eq!(parent.as_deref(), Some(folder.path()));
+    }
+
+    #[test]
     fn another_name_is_typed_where_a_file_is_not_to_be_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let there = folder.path().join("a.scene");
@@ -510,7 +295,7 @@ mod tests {
         let mut dialog = opened(Purpose::SaveScene, folder.path(), "a.scene");
         let context = Context::default();
         let mut chosen = None;
-        let keys = |events: Vec<egui::Event>, dialog: &mut WindowFileDialog| {
+        let keys = |events: Vec<Event>, dialog: &mut WindowFileDialog| {
             let mut found = None;
             for events in [events].into_iter().chain((0..4).map(|_| Vec::new())) {
                 found = found.or(frame(&context, dialog, events).1);
@@ -521,7 +306,7 @@ mod tests {
             Vec::new(),
             pressed(Key::Enter).to_vec(),
             pressed(Key::Escape).to_vec(),
-            vec![egui::Event::Text("b".to_owned())],
+            typed("b"),
             pressed(Key::Enter).to_vec(),
         ] {
             chosen = chosen.or(keys(events, &mut dialog));
@@ -534,7 +319,6 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let mut dialog = opened(Purpose::SaveScene, folder.path(), "a.scene");
         let context = Context::default();
-        let mut chosen = None;
         for number in 0..3 {
             frame(&context, &mut dialog, Vec::new());
             // As a click beside the name does.
@@ -542,15 +326,17 @@ mod tests {
                 surrender_focus(&context);
             }
         }
-        for events in [
-            Vec::new(),
-            vec![egui::Event::Text("b".to_owned())],
-            vec![egui::Event::Text("c".to_owned())],
-            pressed(Key::Enter).to_vec(),
-            Vec::new(),
-        ] {
-            chosen = chosen.or(frame(&context, &mut dialog, events).1);
-        }
+        let chosen = chosen(
+            &context,
+            &mut dialog,
+            [
+                Vec::new(),
+                typed("b"),
+                typed("c"),
+                pressed(Key::Enter).to_vec(),
+                Vec::new(),
+            ],
+        );
         assert_eq!(chosen, Some(folder.path().join("bc.scene")));
     }
 
@@ -558,7 +344,7 @@ mod tests {
     fn a_file_that_is_there_is_asked_about_also_where_its_name_was_typed_with_spaces() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a.scene"), "").unwrap();
-        for (typed, found) in [
+        for (name, found) in [
             (" a", None),
             (" a.scene", None),
             ("  ", None),
@@ -566,23 +352,24 @@ mod tests {
         ] {
             let mut dialog = opened(Purpose::SaveScene, folder.path(), "");
             let context = Context::default();
-            let mut chosen = None;
-            for events in [
-                Vec::new(),
-                Vec::new(),
-                vec![egui::Event::Text(typed.to_owned())],
-                pressed(Key::Enter).to_vec(),
-                Vec::new(),
-                Vec::new(),
-            ] {
-                chosen = chosen.or(frame(&context, &mut dialog, events).1);
-            }
+            let chosen = chosen(
+                &context,
+                &mut dialog,
+                [
+                    Vec::new(),
+                    Vec::new(),
+                    typed(name),
+                    pressed(Key::Enter).to_vec(),
+                    Vec::new(),
+                    Vec::new(),
+                ],
+            );
             assert_eq!(
                 chosen,
                 found.map(|name| folder.path().join(name)),
-                "{typed:?}"
+                "{name:?}"
             );
-            assert_eq!(dialog.is_open(), found.is_none(), "{typed:?}");
+            assert_eq!(dialog.is_open(), found.is_none(), "{name:?}");
         }
     }
 }

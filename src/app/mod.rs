@@ -4,6 +4,7 @@
 mod application;
 mod dialog_files;
 mod file_dialog;
+mod open_dialog;
 mod own_folders;
 mod rescue;
 mod slot;

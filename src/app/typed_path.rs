@@ -1,20 +1,19 @@
 //! Paths that are typed or pasted in the file dialog while nobody has asked for its field for paths.
 
-use super::file_dialog::EDIT_PATH;
+use super::open_dialog::{EDIT_PATH, focused_field};
 use egui::text::CharIndex;
-use egui::{Context, Event, InputState, Key, Rect, TextEdit};
+use egui::{Context, Event, InputState, Key, Rect, Response, TextEdit};
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Height of the part at the top with the path and the search, in points.
-pub(super) const TOP: f32 = 90.0;
+/// Height of the part at the top with the path and the search, in points: these end at 82.5 with the fonts of
+/// the window, and the list begins below.
+const TOP: f32 = 90.0;
 
 /// What is typed of a path before the field for it has the keyboard. Without it, the dialog would search
 /// the folder for it.
 #[derive(Default)]
 pub(super) struct TypedPath {
-    /// Folder that the dialog shows, which relative paths are meant to begin in.
-    pub folder: Option<PathBuf>,
     /// Whether what is typed next is the beginning of a path, whose field has been opened by its key.
     is_next: bool,
     /// Dots that may begin a path, or else a search.
@@ -25,8 +24,14 @@ pub(super) struct TypedPath {
 
 impl TypedPath {
     /// To be called before the dialog is shown, where no path is typed yet. If what is typed begins a path,
-    /// whether its field is to be opened now: it gets the text in the next frame.
-    pub fn begins(&mut self, context: &Context, dialog: Option<Rect>) -> bool {
+    /// whether its field is to be opened now: it gets the text in the next frame, after the `folder` that the
+    /// dialog shows if the path is a relative one.
+    pub fn begins(
+        &mut self,
+        context: &Context,
+        dialog: Option<Rect>,
+        folder: Option<&Path>,
+    ) -> bool {
         if self.held.is_empty() && !is_at_start(context, dialog) {
             return false;
         }
@@ -34,7 +39,7 @@ impl TypedPath {
         let held = std::mem::take(&mut self.held);
         let all = held.clone() + &typed;
         if begins_path(&all) {
-            let path = self.full_path(&all);
+            let path = from_root(&all, folder);
             context.input_mut(|input| {
                 self.waiting.push_back(Event::Text(path));
                 let keys = taken(input).filter(|event| text(event).is_none());
@@ -68,35 +73,31 @@ impl TypedPath {
     }
 
     /// To be called where the field for paths is opened by its key, in which what is typed replaces all.
-    pub fn expect(&mut self) {
+    pub fn opened_by_key(&mut self) {
         self.is_next = true;
     }
 
-    /// To be called before the dialog is shown, where a path is typed: puts the dialog's folder before the
-    /// beginning of a relative one, since the dialog would look for it where the program was started.
-    pub fn complete(&mut self, context: &Context) {
+    /// To be called before the dialog is shown: puts the `folder` that it shows before the beginning of a relative
+    /// path, since the dialog would look for that where the program was started.
+    pub fn complete(&mut self, context: &Context, folder: Option<&Path>) {
         if !self.is_next {
             return;
         }
-        let ends = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+        // A key may leave some of what was there, and a click lead to another field.
+        let ends = |event: &Event| match event {
+            Event::Key { pressed, .. } | Event::PointerButton { pressed, .. } => *pressed,
+            event => text(event).is_some(),
+        };
         context.input_mut(|input| {
-            let is_over = |event: &Event| ends(event) || text(event).is_some();
-            self.is_next = !input.events.iter().any(is_over);
-            let mut typed = input
-                .events
-                .iter_mut()
-                .filter(|event| text(event).is_some());
-            if let Some(Event::Text(typed) | Event::Paste(typed)) = typed.next() {
-                *typed = self.full_path(typed);
+            self.is_next = !input.events.iter().any(ends);
+            let typed = input.events.iter_mut().find_map(|event| match event {
+                Event::Text(typed) | Event::Paste(typed) => Some(typed),
+                _ => None,
+            });
+            if let Some(typed) = typed {
+                *typed = from_root(typed, folder);
             }
         });
-    }
-
-    /// A path that is typed, or its beginning, with what a relative one and a tilde mean.
-    fn full_path(&self, typed: &str) -> String {
-        let home = directories::BaseDirs::new();
-        let path = with_home(typed, home.as_ref().map(directories::BaseDirs::home_dir));
-        in_folder(&path, self.folder.as_deref())
     }
 
     /// Keeps what is typed in this frame for the next one.
@@ -150,16 +151,20 @@ fn taken(input: &mut InputState) -> impl Iterator<Item = Event> + use<> {
 /// Whether what is typed next would be the first of a search: nothing has the keyboard, or a field at the
 /// top of the dialog whose cursor is at its start.
 fn is_at_start(context: &Context, dialog: Option<Rect>) -> bool {
-    let Some(focused) = context.memory(|memory| memory.focused()) else {
+    if context.memory(|memory| memory.focused()).is_none() {
         return true;
-    };
-    let field = context.read_response(focused);
-    let is_at_top = field
-        .zip(dialog)
-        .is_some_and(|(field, dialog)| field.rect.bottom() < dialog.top() + TOP);
-    let cursor = TextEdit::load_state(context, focused).and_then(|state| state.cursor.char_range());
-    is_at_top
-        && cursor.is_none_or(|cursor| cursor.sorted_cursors()[0].index == CharIndex::default())
+    }
+    field_at_top(context, dialog).is_some_and(|field| {
+        let state = TextEdit::load_state(context, field.id);
+        let cursor = state.and_then(|state| state.cursor.char_range());
+        cursor.is_none_or(|cursor| cursor.sorted_cursors()[0].index == CharIndex::default())
+    })
+}
+
+/// The field for the path or the search, if it has the keyboard.
+pub(super) fn field_at_top(context: &Context, dialog: Option<Rect>) -> Option<Response> {
+    let (field, dialog) = focused_field(context).zip(dialog)?;
+    (field.rect.bottom() < dialog.top() + TOP).then_some(field)
 }
 
 /// Whether a text is the beginning of a path and no part of a name.
@@ -168,6 +173,13 @@ fn begins_path(text: &str) -> bool {
         .iter()
         .any(|start| text.starts_with(start))
         || text.len() > 1 && Path::new(text).is_absolute()
+}
+
+/// A path that is typed, or its beginning, with what a tilde and a relative path in `folder` mean.
+fn from_root(typed: &str, folder: Option<&Path>) -> String {
+    let home = directories::BaseDirs::new();
+    let path = with_home(typed, home.as_ref().map(directories::BaseDirs::home_dir));
+    in_folder(&path, folder)
 }
 
 /// `path` with the user's folder in place of a tilde.
