@@ -357,9 +357,9 @@ impl Comparison {
             }
             Ok(Outcome::Judged {
                 judgment,
-                figure_agrees,
+                page_figure,
             }) => {
-                self.report.figure_agrees = figure_agrees;
+                self.report.page_figure = page_figure;
                 self.measuring.judged = Some(result.of);
                 self.report.judgment = Some(judgment);
                 self.report.measuring = !is_newest;

@@ -1,4 +1,4 @@
-use super::page_figure::figures_agree;
+use super::page_figure::compare_figures;
 use crate::compare::{CompareError, Judgment, Measured, PictureJob};
 use crate::diagnose::{DiagnoseError, Diagnosis, MeshJob};
 use crate::geometry::Picture;
@@ -6,6 +6,7 @@ use crate::io::image::{self, PictureFormat};
 use crate::io::{ReadFiles, ReadJob};
 use crate::revision::Revision;
 use crate::steps::Steps;
+use crate::ui::PageFigure;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -126,7 +127,7 @@ pub(super) enum Outcome {
     Judged {
         judgment: Judgment,
         /// See [`CompareReport`](crate::ui::CompareReport).
-        figure_agrees: Option<bool>,
+        page_figure: Option<PageFigure>,
     },
 }
 
@@ -238,7 +239,7 @@ impl CompareWork {
                 judged.map(move |judgment| {
                     compared(judgment.map(|judgment| Outcome::Judged {
                         judgment,
-                        figure_agrees: is_page.then(|| figures_agree(&a, &b)),
+                        page_figure: is_page.then(|| compare_figures(&a, &b)).flatten(),
                     }))
                 })
             }

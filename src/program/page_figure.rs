@@ -1,7 +1,9 @@
-//! Whether the figure in a screenshot of the Virtual Mannequin's page is the one in our picture, whatever differs behind and
+//! Where the figure in a screenshot of the Virtual Mannequin's page is not the one in our picture, whatever differs behind and
 //! before it: the page has noise in its floor, and other lines for bones.
 
+use crate::compare::Area;
 use crate::geometry::Picture;
+use crate::ui::PageFigure;
 
 /// Background of the page's view.
 const TEAL: [u8; 3] = [0, 95, 95];
@@ -9,10 +11,10 @@ const TEAL: [u8; 3] = [0, 95, 95];
 /// that agree.
 const NOISE: u8 = 24;
 const SHADES: u8 = 48;
-/// Pixels among nine that differ where it is no edge alone.
+/// Pixels among nine that are of the figure, or differ, where it is no edge or line alone.
 const SOLID: usize = 7;
-/// Share of a figure that may differ so in pictures in which it agrees: in one that is right a thousandth does, and a forearm
-/// that is turned a little is more than a hundredth.
+/// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
+/// and a forearm that is turned a little is more than a hundredth.
 const LITTLE: f64 = 0.002;
 
 /// What a pixel of a picture in the page's look is of.
@@ -44,28 +46,31 @@ impl Part {
     }
 }
 
-/// Whether the figure in `ours` is the one in `page`, of the same size, but for its edges and what lines of bones cover.
-pub(super) fn figures_agree(page: &Picture, ours: &Picture) -> bool {
+/// Where the figure in `ours` is not the one in `page`, of the same size, but for its edges and what lines of bones cover;
+/// `None` without a figure.
+pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigure> {
     if (page.width, page.height) != (ours.width, ours.height) {
-        return false;
+        return None;
     }
     let [page, ours] = [page, ours].map(|picture| FigureIn {
         pixels: picture.rgba.as_chunks::<4>().0,
         width: picture.width as usize,
         height: picture.height as usize,
     });
-    let (mut figure, mut off) = (0_usize, 0_usize);
-    for (one, other) in [(&page, &ours), (&ours, &page)] {
-        let is_mesh = |at: usize| Part::of(one.pixels[at]) == Part::Mesh;
-        let is_off: Vec<bool> = (0..one.pixels.len())
-            .map(|at| is_mesh(at) && !other.has_like(one.pixels[at], at))
-            .collect();
-        figure += (0..is_off.len()).filter(|&at| is_mesh(at)).count();
-        let solid =
-            |at: &usize| is_off[*at] && one.around(*at).filter(|&at| is_off[at]).count() >= SOLID;
-        off += (0..is_off.len()).filter(solid).count();
-    }
-    figure > 0 && off as f64 <= LITTLE * figure as f64
+    let is_figure = |at: &usize| page.is_figure(*at) || ours.is_figure(*at);
+    let figure = (0..page.pixels.len()).filter(is_figure);
+    let size = page.meshes() + ours.meshes();
+    let mut islands = [page.islands_off(&ours), ours.islands_off(&page)].concat();
+    islands.sort_by_key(Vec::len);
+    let mut passed_over = 0;
+    let off = islands.iter().skip_while(|island| {
+        passed_over += island.len();
+        passed_over as f64 <= LITTLE * size as f64
+    });
+    Some(PageFigure {
+        area: page.area_around(figure)?,
+        off: page.area_around(off.flatten().copied()),
+    })
 }
 
 /// A picture with a figure in it.
@@ -76,6 +81,47 @@ struct FigureIn<'a> {
 }
 
 impl FigureIn<'_> {
+    fn is_mesh(&self, at: usize) -> bool {
+        Part::of(self.pixels[at]) == Part::Mesh
+    }
+
+    /// Whether it is the mesh and not the edge of a line, whose colors are mixed with those behind it.
+    fn is_figure(&self, at: usize) -> bool {
+        self.around(at).filter(|&at| self.is_mesh(at)).count() >= SOLID
+    }
+
+    fn meshes(&self) -> usize {
+        (0..self.pixels.len())
+            .filter(|&at| self.is_mesh(at))
+            .count()
+    }
+
+    /// Places of the figure where `other` has another color or none, and not at an edge alone, by which hang together.
+    fn islands_off(&self, other: &Self) -> Vec<Vec<usize>> {
+        let is_off: Vec<bool> = (0..self.pixels.len())
+            .map(|at| self.is_mesh(at) && !other.has_like(self.pixels[at], at))
+            .collect();
+        let is_solid = |at| is_off[at] && self.around(at).filter(|&at| is_off[at]).count() >= SOLID;
+        let mut left: Vec<bool> = (0..is_off.len()).map(is_solid).collect();
+        let mut islands = Vec::new();
+        for first in 0..left.len() {
+            if !std::mem::take(&mut left[first]) {
+                continue;
+            }
+            let (mut island, mut next) = (vec![first], 0);
+            while let Some(&at) = island.get(next) {
+                next += 1;
+                island.extend(self.around(at).filter(|&at| std::mem::take(&mut left[at])));
+            }
+            islands.push(island);
+        }
+        islands
+    }
+
+    fn area_around(&self, places: impl Iterator<Item = usize>) -> Option<Area> {
+        Area::around(places.map(|at| ((at % self.width) as u32, (at / self.width) as u32)))
+    }
+
     /// A place and those beside it.
     fn around(&self, at: usize) -> impl Iterator<Item = usize> + use<> {
         let (width, x, y) = (self.width, at % self.width, at / self.width);
@@ -124,11 +170,14 @@ mod tests {
             }
         };
         let page = picture(5..10, TEAL);
-        assert!(figures_agree(&page, &picture(5..10, [170; 3])));
+        let off = |page: &Picture, ours: &Picture| compare_figures(page, ours).unwrap().off;
+        assert_eq!(off(&page, &picture(5..10, [170; 3])), None);
         // An edge says nothing.
-        assert!(figures_agree(&page, &picture(5..11, TEAL)));
-        assert!(!figures_agree(&page, &picture(15..20, TEAL)));
-        let empty = picture(0..0, TEAL);
-        assert!(!figures_agree(&page, &empty) && !figures_agree(&empty, &page));
+        assert_eq!(off(&page, &picture(5..11, TEAL)), None);
+        // What differs is where the part is in either, but for edges.
+        let elsewhere = picture(15..20, TEAL);
+        assert_eq!(off(&page, &elsewhere), "17,6,2,13".parse().ok());
+        let without = picture(0..0, TEAL);
+        assert!(off(&page, &without).is_some() && off(&without, &page).is_some());
     }
 }

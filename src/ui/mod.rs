@@ -65,7 +65,8 @@ pub use commands::{
 };
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
-    CompareView, MeshesShown, ShownPicture, course_panels, mannequin_panels, picture_texture,
+    CompareView, MeshesShown, PageFigure, ShownPicture, course_panels, mannequin_panels,
+    picture_texture,
 };
 pub use mesh_colors::{Legend, MeshColors};
 pub use method_view::ShownScene;

@@ -515,7 +515,7 @@ fn numbers_and_causes_are_told_in_words() {
         }),
         measuring: false,
         problem: None,
-        figure_agrees: None,
+        page_figure: None,
     };
     report(&mut editor, told.clone());
     for text in [
@@ -665,7 +665,7 @@ fn the_place_of_a_finding_is_outlined_in_both_pictures() {
         }),
         measuring: false,
         problem: None,
-        figure_agrees: None,
+        page_figure: None,
     };
     report(&mut editor, told.clone());
     let place = "At the bottom right of the figure, about 2 % of it.";

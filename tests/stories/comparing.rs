@@ -545,6 +545,15 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     story.program.carry_out(seen, &mut story.host);
     judge(&mut story);
     assert!(!has_text(&story, "The figure agrees"));
+    assert!(
+        has_text(&story, "All over the figure"),
+        "{:?}",
+        texts(&story)
+    );
+    assert!(has_text(
+        &story,
+        "A is the Virtual Mannequin's page. If all"
+    ));
     story.key(Key::Home);
     assert_eq!(story.session().view().camera, page);
     judge(&mut story);
@@ -571,4 +580,14 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     story.settle();
     judge(&mut story);
     assert!(!has_text(&story, "The figure agrees"));
+    assert!(has_text(
+        &story,
+        "No single cause explains the differences. But"
+    ));
+    // The place is that of the arm, however far the lines of bones reach that differ as well.
+    assert!(has_text(&story, "Near forearm.L"), "{:?}", texts(&story));
+    assert!(!has_text(
+        &story,
+        "A is the Virtual Mannequin's page. If all"
+    ));
 }

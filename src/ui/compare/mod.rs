@@ -22,7 +22,7 @@ pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;
 pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels, mannequin_panels};
 
-use crate::compare::{CompareError, Differences, Judgment};
+use crate::compare::{Area, CompareError, Differences, Judgment};
 use crate::geometry::Picture;
 use crate::scene::Look;
 use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureId, TextureOptions};
@@ -78,9 +78,25 @@ pub struct CompareReport {
     pub measuring: bool,
     /// Why nothing can be measured.
     pub problem: Option<CompareError>,
-    /// Whether the figure in a screenshot of the Virtual Mannequin's page is the one in the live view, whatever differs of
-    /// floor and bones; `None` for other pictures, and before it is known.
-    pub figure_agrees: Option<bool>,
+    /// The figure in a screenshot of the Virtual Mannequin's page; `None` for other pictures, and before it is known.
+    pub page_figure: Option<PageFigure>,
+}
+
+/// Where the figure in a screenshot of the Virtual Mannequin's page is not the one in the live view, whatever differs of
+/// floor and bones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PageFigure {
+    /// The area round the figure in either.
+    pub area: Area,
+    /// The area round what differs of it; `None` if the figures agree.
+    pub off: Option<Area>,
+}
+
+impl PageFigure {
+    /// Whether all of it differs.
+    fn is_all_over(&self) -> bool {
+        self.off.is_some_and(|off| off.is_all_over(self.area))
+    }
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

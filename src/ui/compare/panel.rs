@@ -260,6 +260,10 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
     let counts = compare.report.differences.as_ref();
     let all = counts.and_then(|counts| counts.differing_area);
+    // What differs of the figure says more than all that does, where other lines and floors are drawn about it.
+    let of_page = compare.report.page_figure;
+    let off = of_page.and_then(|figure| figure.off);
+    let all = off.or(all);
     let is_still_told =
         |area: &Area| all == Some(*area) || areas.clone().any(|f| f.area() == Some(*area));
     *outlined = Outlined {
@@ -293,12 +297,16 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                         link(ui, &place, area, outlined);
                     }
                 }
-                if judgment.findings.is_empty() && report.figure_agrees == Some(true) {
+                if judgment.findings.is_empty() && of_page.is_some() && off.is_none() {
                     say(ui, FIGURE_AGREES, palette.strong);
                 } else if judgment.findings.is_empty() {
-                    let text = "No single cause explains the differences.";
+                    let text = match off {
+                        Some(_) => FIGURE_DIFFERS,
+                        None => "No single cause explains the differences.",
+                    };
                     say(ui, text, palette.text);
-                    if let Some((area, figure)) = all.zip(judgment.figure) {
+                    let figure = of_page.map(|figure| figure.area).or(judgment.figure);
+                    if let Some((area, figure)) = all.zip(figure) {
                         let place = place(session, area, figure, compare.size());
                         link(ui, &place, area, outlined);
                     }
@@ -348,6 +356,8 @@ const COVERED: &str = "If A shows the other program's panels, leave them out: Ma
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
+const FIGURE_DIFFERS: &str = "No single cause explains the differences. But for edges and lines of bones, the figure differs:";
+
 const FIGURE_AGREES: &str = "The figure agrees but for its edges and what lines of bones cover.";
 
 const OF_PAGE: &str = "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last \
@@ -364,18 +374,17 @@ fn hints(
 ) -> impl Iterator<Item = &'static str> {
     let settings = compare.settings;
     let look_is_course = look == Look::Course;
-    let agrees = compare
-        .report
-        .figure_agrees
-        .filter(|_| look == Look::Mannequin);
+    let of_page = compare.report.page_figure;
+    let of_page = of_page.filter(|_| look == Look::Mannequin);
+    let is_elsewhere = of_page.is_some_and(|figure| figure.is_all_over());
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     let other_look = other_look(look, compare.look).into_iter();
     let others = [
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
-        (agrees == Some(true), OF_PAGE),
-        (agrees == Some(false), OF_PAGE_ELSEWHERE),
+        (of_page.is_some() && !is_elsewhere, OF_PAGE),
+        (is_elsewhere, OF_PAGE_ELSEWHERE),
     ];
     let others = others.into_iter();
     other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))
