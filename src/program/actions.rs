@@ -193,15 +193,7 @@ impl Program {
                 let shape = self.session.selected();
                 self.ask_for_clipboard(shape, Pasted::whole(Sides::AsTheyAre), host);
             }
-            Ask::CopyPose(shape) => {
-                if let Some(text) = self.pose_text(shape, None) {
-                    host.copy_text(text);
-                    let name = self.session.scene().shape(shape).map(|shape| &shape.name);
-                    let name = name.map_or("the character", String::as_str);
-                    let text = format!("Copied the pose of {name}");
-                    self.tell(Severity::Info, text);
-                }
-            }
+            Ask::CopyPose(shape) => self.copy_pose(shape, host),
             Ask::PastePose(shape) => self.ask_for_pose(shape, Sides::AsTheyAre, host),
             Ask::PastePoseMirrored(shape) => self.ask_for_pose(shape, Sides::Exchanged, host),
             Ask::PastePoseOnto {

@@ -34,7 +34,7 @@ pub(super) struct PasteInto {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Pasted {
     pub sides: Sides,
-    /// The joints of which the pose is used; `None` for all.
+    /// The joints that get it; `None` for all.
     pub joints: Option<Vec<usize>>,
 }
 
@@ -54,22 +54,46 @@ impl Pasted {
         before: &Pose,
         pose: Pose,
     ) -> (Pose, Option<Vec<usize>>) {
-        let mirror = match self.sides {
-            Sides::AsTheyAre => None,
-            Sides::Exchanged => Some(Mirror::new(skeleton)),
-        };
-        let pose = match &mirror {
-            Some(mirror) => mirror.pose(&pose),
-            None => pose,
+        let pose = match self.sides {
+            Sides::AsTheyAre => pose,
+            Sides::Exchanged => Mirror::new(skeleton).pose(&pose),
         };
         let Some(joints) = &self.joints else {
             return (pose, None);
         };
         let there = joints.iter().copied();
-        let there = there.filter(|&joint| joint < skeleton.joints().len());
-        let joints = there.map(|joint| mirror.as_ref().map_or(joint, |it| it.partner(joint)));
-        let joints: Vec<usize> = joints.collect();
+        let joints: Vec<usize> = there
+            .filter(|&joint| joint < skeleton.joints().len())
+            .collect();
         (before.with_joints_of(&pose, &joints), Some(joints))
+    }
+}
+
+/// A pose that was put on the clipboard.
+#[derive(Clone, Debug)]
+pub(super) struct CopiedPose {
+    /// The character that has it.
+    shape: ShapeId,
+    /// The joints that were selected.
+    joints: Vec<usize>,
+    /// What was put on the clipboard.
+    text: String,
+}
+
+impl CopiedPose {
+    /// The joints that get it where it is pasted mirrored while those of `selected` are: where a joint was already when it was
+    /// copied, the one on the other side is meant.
+    fn mirrored_onto(&self, mirror: &Mirror, selected: &[usize]) -> Vec<usize> {
+        let mut joints: Vec<usize> = selected
+            .iter()
+            .map(|&joint| match self.joints.contains(&joint) {
+                true => mirror.partner(joint),
+                false => joint,
+            })
+            .collect();
+        joints.sort_unstable();
+        joints.dedup();
+        joints
     }
 }
 
@@ -106,6 +130,51 @@ impl Program {
             takes_shapes: false,
         });
         host.request_paste();
+    }
+
+    /// Puts the pose of the character `shape` on the clipboard.
+    pub(super) fn copy_pose(&mut self, shape: ShapeId, host: &mut dyn Host) {
+        let Some(text) = self.pose_text(shape, None) else {
+            return;
+        };
+        host.copy_text(text.clone());
+        let joints = match self.session.selected() == Some(shape) {
+            true => self.session.selected_joints().to_vec(),
+            false => Vec::new(),
+        };
+        self.copied_pose = Some(CopiedPose {
+            shape,
+            joints,
+            text,
+        });
+        let name = self.session.scene().shape(shape).map(|shape| &shape.name);
+        let name = name.map_or("the character", String::as_str);
+        let text = format!("Copied the pose of {name}");
+        self.tell(Severity::Info, text);
+    }
+
+    /// What the character `shape` gets of the pose `text`.
+    fn meant(&self, pasted: Pasted, shape: ShapeId, text: &str) -> Pasted {
+        let copied = self.copied_pose.as_ref();
+        let copied = copied.filter(|it| it.shape == shape && it.text.lines().eq(text.lines()));
+        let character = self.session.scene().character(shape);
+        match (copied, character, &pasted) {
+            (
+                Some(copied),
+                Some(character),
+                Pasted {
+                    sides: Sides::Exchanged,
+                    joints: Some(selected),
+                },
+            ) => {
+                let mirror = Mirror::new(character.character.skeleton());
+                Pasted {
+                    joints: Some(copied.mirrored_onto(&mirror, selected)),
+                    ..pasted
+                }
+            }
+            _ => pasted,
+        }
     }
 
     /// Puts the selected shapes on the clipboard; whether that was possible.
@@ -166,6 +235,7 @@ impl Program {
             }
             // What begins like this is meant to be a pose, whose fault is worth telling.
             Some(shape) if text.trim_start().starts_with('{') => {
+                let pasted = self.meant(pasted, shape, text);
                 return self.take_pose(shape, path, text.as_bytes(), &pasted);
             }
             None if PoseFile::read(path, text.as_bytes()).is_ok() => {

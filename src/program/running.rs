@@ -1,6 +1,6 @@
 use super::autosave::Autosave;
 use super::awaited::Awaited;
-use super::clipboard::PasteInto;
+use super::clipboard::{CopiedPose, PasteInto};
 use super::comparison::Comparison;
 use super::document_file::DocumentFile;
 use super::frame::Pass;
@@ -86,6 +86,8 @@ pub struct Program {
     pub(super) quitting: bool,
     /// What gets what is on the clipboard, once its text is there.
     pub(super) paste_into: Option<PasteInto>,
+    /// The pose that was copied last.
+    pub(super) copied_pose: Option<CopiedPose>,
     /// The shape under the pointer when the last frame was drawn.
     pub(super) hovered_shape: Option<ShapeId>,
     pub(super) frame_rate: FrameRate,
@@ -152,6 +154,7 @@ impl Program {
             encoding: 0,
             quitting: false,
             paste_into: None,
+            copied_pose: None,
             hovered_shape: None,
             frame_rate: FrameRate::default(),
             graphics,

@@ -103,8 +103,8 @@ pub enum Ask {
     PastePose(ShapeId),
     /// Apply the pose on the clipboard to a character, with left and right exchanged.
     PastePoseMirrored(ShapeId),
-    /// Apply what the pose on the clipboard has for these joints of a character; if it is mirrored, to those on the
-    /// other side. All others stay.
+    /// Apply what the pose on the clipboard has for these joints of a character; mirrored, for those of them that were
+    /// selected when it was copied, to the ones on the other side. All others stay.
     PastePoseOnto {
         /// Identifier of the character.
         shape: ShapeId,

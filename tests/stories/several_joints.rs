@@ -378,3 +378,46 @@ fn a_pose_that_is_pasted_mirrored_onto_a_selected_joint_leaves_that_and_all_othe
         "Pasted onto Right elbow alone; with no joint selected, onto all"
     );
 }
+
+#[test]
+fn a_pose_that_is_pasted_mirrored_while_the_other_side_is_selected_goes_there() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let shape = story.shape().id;
+    let [left, right] = ["Left elbow", "Right elbow"].map(|joint| story.joint(joint));
+    let rotation = Euler::from_degrees(Vec3::Z * 50.0);
+    let edit = Edit::SetJointTransform {
+        shape,
+        joint: left,
+        rotation,
+    };
+    story.program.session_mut().edit(edit).expect("an angle");
+    let elbows =
+        |story: &Story| ["Left elbow", "Right elbow"].map(|it| story.degrees(it).z.round());
+    // Selected when it is copied, and when it is pasted.
+    for (copied, pasted) in [(left, right), (left, left), (right, right)] {
+        let select = |story: &mut Story, joint| {
+            let session = story.program.session_mut();
+            session.look(View::SelectJoint(Some(joint)));
+            story.settle();
+        };
+        select(&mut story, copied);
+        story.frame(vec![Event::Copy]);
+        story.settle();
+        let text = story.host.clipboard.clone();
+        select(&mut story, pasted);
+        let both = Modifiers::COMMAND | Modifiers::SHIFT;
+        story.frame(vec![Event::ModifiersChanged(both)]);
+        story.frame(vec![Event::Paste(text)]);
+        story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+        story.settle();
+        // With the right one selected both times the left one gets its rest.
+        let expected = match (copied, pasted) {
+            (copied, _) if copied == left => [50.0, -50.0],
+            _ => [0.0, 0.0],
+        };
+        assert_eq!(elbows(&story), expected, "{copied} {pasted}");
+        story.key_with(Modifiers::COMMAND, Key::Z);
+    }
+}
