@@ -53,6 +53,17 @@ impl fmt::Display for Coarse {
     }
 }
 
+impl Coarse {
+    /// In words what it means for a mesh that mistakes give.
+    pub fn beside_mistakes(&self) -> String {
+        let (step, enough) = (self.rounded_to, self.enough_digits);
+        format!(
+            "its numbers are rounded to {step}, which may hide smaller mistakes: write at least {enough} digits after \
+             the point"
+        )
+    }
+}
+
 impl fmt::Display for Shown {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(joint) = &self.joint {
@@ -179,6 +190,9 @@ impl Diagnosis {
             f,
             "\n  agrees   with what that gives, but for {error}; the exact result is {exact} away"
         )?;
+        if let Some(coarse) = &self.coarse {
+            write!(f, "\n  digits   {}", coarse.beside_mistakes())?;
+        }
         fmt_where(&self.mistakes, f)?;
         if let Some(first) = &self.first {
             write!(f, "\n  shown by {first}")?;

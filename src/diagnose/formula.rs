@@ -1,8 +1,9 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
+pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped};
 pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
 use crate::character::Character;
-use glam::{DVec3, DVec4};
+use glam::DVec4;
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
 /// The default is the exact formula. Mistakes change parts of it, so two mistakes in different parts
@@ -29,6 +30,8 @@ pub struct Formula {
     pub vertex_order: VertexOrder,
     /// Factor of each coordinate that is written.
     pub written: [f64; 3],
+    /// What joints hang on.
+    pub parents: Parents,
     /// A joint that a program has otherwise than the file.
     pub other_joint: Option<OtherJoint>,
     /// After which joints the matrix stack is popped, in T and in B.
@@ -39,17 +42,6 @@ pub struct Formula {
     pub begins_at_rest: bool,
     /// Whether what comes of it is moved once more in the same way.
     pub moves_twice: bool,
-}
-
-/// A joint as no file has it, in T and in B.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OtherJoint {
-    /// Index of the joint.
-    pub joint: usize,
-    /// Joint that it hangs on; `None` for a root. It hangs on none that hangs on the joint itself.
-    pub parent: Option<usize>,
-    /// Its offset from there.
-    pub offset: DVec3,
 }
 
 /// A joint's transform relative to its parent.
@@ -168,44 +160,6 @@ pub enum Chain {
     OwnRotation,
     /// parent · own, where own's offset is not turned by the parent.
     OffsetsNotTurned,
-}
-
-/// Joints after which the matrix stack is popped, so that the next one hangs on what it does in the file. A joint is
-/// visited after its parent, its children before its next sibling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Popped {
-    /// Every joint.
-    All,
-    /// None: each joint hangs on the one that is visited before it.
-    None,
-    /// All but those without children.
-    ButLeaves,
-    /// Those without children alone.
-    Leaves,
-}
-
-impl Popped {
-    /// Whether the stack is popped after a joint, which has no children if it `is_leaf`.
-    pub(super) fn pops(self, is_leaf: bool) -> bool {
-        match self {
-            Self::All => true,
-            Self::None => false,
-            Self::ButLeaves => !is_leaf,
-            Self::Leaves => is_leaf,
-        }
-    }
-}
-
-/// What lies on the matrix stack before the roots are pushed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LeftOnStack {
-    /// Nothing.
-    Nothing,
-    /// B of the first root.
-    Root,
-    /// B of the joint that is visited last, where each hangs on the one that is visited before it: once, or multiplied
-    /// by itself so many times as transforms have been computed at rest.
-    LastVisited(usize),
 }
 
 /// What moves a vertex in the space of the bind pose.
@@ -355,12 +309,16 @@ pub enum VertexOrder {
 }
 
 impl Formula {
-    /// Whether it changes something of a character: what it changes may be what only Collada files have.
+    /// Whether it changes something of a character: what it changes may be what only Collada files have, or only others.
     pub fn is_of(&self, character: &Character) -> bool {
         let frames = character.file_frames();
         let is_turned = self.factors == Factors::NoInverseBindOfFile;
         let unshaped = frames.and_then(|frames| frames.unshaped);
-        (!is_turned || frames.is_some()) && (self.is_shaped || unshaped.is_some())
+        let has_parents = match self.parents {
+            Parents::OfFile => true,
+            parents => frames.is_none() && parents.order(character.skeleton()).is_some(),
+        };
+        has_parents && (!is_turned || frames.is_some()) && (self.is_shaped || unshaped.is_some())
     }
 }
 
@@ -403,6 +361,7 @@ impl Default for Formula {
             },
             vertex_order: VertexOrder::File,
             written: [1.0; 3],
+            parents: Parents::OfFile,
             other_joint: None,
             popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,

@@ -1,7 +1,7 @@
 //! The transforms of joints by any formula, in double precision.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack, OtherJoint,
+    AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack, Parents,
     Popped,
 };
 use super::model::Model;
@@ -42,7 +42,7 @@ impl<'a> Joints<'a> {
             }
         }
         let [tree, bind_tree] = formula.popped.map(|popped| {
-            let tree = Tree::new(model, formula.other_joint);
+            let tree = Tree::new(model, formula);
             match popped {
                 Popped::All => tree,
                 popped => tree.on_stack(model.joints_by(JointsBy::Depth), popped),
@@ -70,7 +70,7 @@ impl<'a> Joints<'a> {
             LeftOnStack::LastVisited(times) => {
                 let visited = model.joints_by(JointsBy::Depth);
                 let last = visited.last().copied();
-                let tree = Tree::new(model, formula.other_joint).on_stack(visited, Popped::None);
+                let tree = Tree::new(model, formula).on_stack(visited, Popped::None);
                 let bind = tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
                 last.map(|last| std::iter::repeat_n(&bind[last], times).product())
             }
@@ -174,14 +174,20 @@ struct Tree {
 }
 
 impl Tree {
-    fn new(model: &Model, other: Option<OtherJoint>) -> Self {
-        let joints = model.skeleton().joints();
-        let mut tree = Self {
-            parents: joints.iter().map(|joint| joint.parent).collect(),
-            offsets: joints.iter().map(|joint| joint.offset.as_dvec3()).collect(),
-            order: model.by_depth.clone(),
+    fn new(model: &Model, formula: &Formula) -> Self {
+        let (skeleton, parents) = (model.skeleton(), formula.parents);
+        let joints = skeleton.joints();
+        let all = 0..joints.len();
+        let order = match parents {
+            Parents::OfFile => None,
+            parents => parents.order(skeleton),
         };
-        if let Some(other) = other {
+        let mut tree = Self {
+            parents: all.map(|joint| parents.of(skeleton, joint)).collect(),
+            offsets: joints.iter().map(|joint| joint.offset.as_dvec3()).collect(),
+            order: order.unwrap_or_else(|| model.by_depth.clone()),
+        };
+        if let Some(other) = formula.other_joint {
             tree.parents[other.joint] = other.parent;
             tree.offsets[other.joint] = other.offset;
             // What hangs on the joint stays behind it, and its new parent is none of these.

@@ -34,6 +34,7 @@ mod search;
 mod silhouette;
 mod skin;
 mod small_weights;
+mod tree_formula;
 mod triangles;
 mod turned_picture;
 mod vertex_formula;
@@ -45,7 +46,7 @@ pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
     AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
-    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Rescaled, Rounded, Rows, VertexOrder,
+    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rounded, Rows, VertexOrder,
     WeightFormula,
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
@@ -72,7 +73,7 @@ use findings::Findings;
 use glam::{DVec3, Vec3};
 use model::Model;
 use precision::Written;
-use search::{Explanation, Search};
+use search::{Alone, Explanation, Search};
 use std::rc::Rc;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
@@ -209,24 +210,25 @@ async fn diagnose_vertices(
         findings.tolerance = closer;
         return Ok(findings.explained(&explanations));
     }
-    let (alone, mut explanations) = search.singles(pace).await;
-    if explanations.is_empty() {
-        explanations.extend(findings.in_another_order());
-    }
     // Numbers that are worked out from a mesh bring many near it. Those that are right bring it much nearer.
     let of_numbers = precision::of_vertices(half_step);
     let rounding = of_numbers.max(AS_GOOD_AS_NONE * size);
+    let fits = search.within(rounding.max(error / MUCH_NEARER));
+    let (alone, mut explanations) = sought(&search, &fits, &findings, rounding, pace).await;
+    let mut coarse = None;
     if explanations.is_empty() {
-        let fits = search.within(rounding.max(error / MUCH_NEARER));
-        explanations = made_alone::find(&search, &fits, order, &exact, size, pace).await;
-    }
-    if explanations.is_empty() {
-        explanations = search.pairs(&alone, rounding, pace).await;
+        coarse = Coarse::find(&exact, theirs, half_step, size);
+        let limit = coarse.and(precision::coarse_limit(half_step, size));
+        let may_be_right = coarse.is_some_and(|coarse| coarse.may_be_right);
+        if let Some(limit) = limit.filter(|_| !may_be_right) {
+            let rounded = search.of_coordinates_within(limit);
+            (_, explanations) = sought(&rounded, &rounded, &findings, 0.0, pace).await;
+        }
     }
     if explanations.is_empty() {
         let mut found = findings.diagnosis(Verdict::Unexplained);
-        found.coarse = Coarse::find(&exact, theirs, half_step, size);
-        if found.coarse.is_some_and(|coarse| coarse.may_be_right) {
+        found.coarse = coarse;
+        if coarse.is_some_and(|coarse| coarse.may_be_right) {
             return Ok(found);
         }
         pace.after(exact.len()).await;
@@ -273,7 +275,35 @@ async fn diagnose_vertices(
     {
         explanations[..=at_rest].rotate_right(1);
     }
-    Ok(findings.explained(&explanations))
+    Ok(Diagnosis {
+        coarse,
+        ..findings.explained(&explanations)
+    })
+}
+
+/// Single mistakes, and those that alone or by two give the mesh of `search`. Where numbers are worked out from the mesh, it
+/// has to agree with it as in `fits`, or within `rounding`.
+async fn sought(
+    search: &Search<'_>,
+    fits: &Search<'_>,
+    findings: &Findings<'_>,
+    rounding: f64,
+    pace: &Pace,
+) -> (Vec<Alone>, Vec<Explanation>) {
+    let Findings {
+        order, exact, size, ..
+    } = *findings;
+    let (alone, mut explanations) = search.singles(pace).await;
+    if explanations.is_empty() {
+        explanations.extend(findings.in_another_order());
+    }
+    if explanations.is_empty() {
+        explanations = made_alone::find(search, fits, order, exact, size, pace).await;
+    }
+    if explanations.is_empty() {
+        explanations = search.pairs(&alone, rounding, pace).await;
+    }
+    (alone, explanations)
 }
 
 /// The order in which a program may have written so many vertices: that of the file if it may be.

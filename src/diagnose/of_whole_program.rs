@@ -1,7 +1,7 @@
 //! Mistakes of a whole program, which are made in few ways: they are tried by themselves before any two together, and
 //! beside each of the others.
 
-use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Popped};
+use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped};
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
 use super::of_weighted_sum::{
     BIND_SHAPE_MISSING, INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT,
@@ -19,6 +19,31 @@ static ROOT_ROTATED_FIRST: Mistake = Mistake {
     readings: &[reading("", |formula| {
         formula.joint.roots_rotate_first = true
     })],
+};
+
+/// A mistake in all parents that the skeleton's file has.
+static PARENTS_MISREAD: Mistake = Mistake {
+    id: "parents-misread",
+    meaning: "joints hang on other parents than the file says",
+    section: SKELETON,
+    look_at: "where the .skel file is read: the last number of a line is the index of the parent, from 0, and \
+              -1 for a root",
+    readings: &[
+        reading("each on the joint of the line before", |formula| {
+            formula.parents = Parents::LineBefore
+        }),
+        reading("all on the first joint", |formula| {
+            formula.parents = Parents::First
+        }),
+        reading(
+            "each on the one whose index is that of its parent less 1, those on the first on that",
+            |formula| formula.parents = Parents::BeforeOwn,
+        ),
+        reading(
+            "each on the one whose index is that of its parent less 1, those on the first on none",
+            |formula| formula.parents = Parents::BeforeOwnOrNone,
+        ),
+    ],
 };
 
 /// What comes of a stack that no joint is popped from.
@@ -275,12 +300,13 @@ static ROTATION_REPEATED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 25] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 26] = [
     &BIND_SHAPE_MISSING,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &ROOT_NOT_MOVED,
     &STACK_NOT_POPPED,
+    &PARENTS_MISREAD,
     &TRANSLATION_OVERWRITTEN,
     &ROOT_TRANSLATION_MISSING,
     &ROOT_TRANSFORM_MISSING,

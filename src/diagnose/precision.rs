@@ -96,6 +96,13 @@ pub(super) fn of_vertices(half_step: f64) -> f64 {
     half_step * 3_f64.sqrt() * ROOM
 }
 
+/// How far coordinates may be apart and agree in a mesh of this `size` that rounding by `half_step` is too coarse for; `None`
+/// where that is so coarse that it says nothing.
+pub(super) fn coarse_limit(half_step: f64, size: f64) -> Option<f64> {
+    let tells = of_vertices(half_step) <= MOST_ROUNDING * size;
+    tells.then_some(ROOM * half_step + SINGLE_PRECISION * size)
+}
+
 /// Numbers with too few digits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Coarse {
@@ -125,15 +132,13 @@ impl Coarse {
         let is_coarse = theirs.len() >= FEWEST_ROUNDED
             && rounding > MOST_TOLERANCE * size
             && !exact.iter().all(|placed| is_rounded(placed.at));
-        let most = ROOM * half_step + SINGLE_PRECISION * size;
-        let is_so_rounded = |(exact, theirs): (&Placed, &Vec3)| {
-            let apart = (exact.at - theirs.as_dvec3()).abs();
-            apart.max_element() <= most
+        let is_so_rounded = |most: f64| {
+            let mut pairs = exact.iter().zip(theirs);
+            pairs.all(|(exact, theirs)| (exact.at - theirs.as_dvec3()).abs().max_element() <= most)
         };
         is_coarse.then(|| Self {
             rounded_to,
-            may_be_right: rounding <= MOST_ROUNDING * size
-                && exact.iter().zip(theirs).all(is_so_rounded),
+            may_be_right: coarse_limit(half_step, size).is_some_and(is_so_rounded),
             enough_digits: (-(TOLERANCE * size).log10()).ceil().max(1.0) as usize,
         })
     }

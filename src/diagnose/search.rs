@@ -8,7 +8,7 @@ use super::mistake::{Mistake, Reading, reading};
 use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
-use super::skin::{Placed, Skinner};
+use super::skin::{Metric, Placed, Skinner};
 use crate::character::Pose;
 use crate::steps::Pace;
 use glam::DVec3;
@@ -31,6 +31,7 @@ pub(super) struct Search<'a> {
     pub(super) theirs: &'a [DVec3],
     /// How far apart vertices may be and still agree.
     pub(super) tolerance: f64,
+    metric: Metric,
     /// The largest coordinate, but for vertices far outside, which agree as far as their own coordinates are exact.
     largest: f64,
     /// Vertices that tell formulas apart, those that tell most first, and then those from all over.
@@ -135,6 +136,7 @@ impl<'a> Search<'a> {
             pose,
             theirs,
             tolerance,
+            metric: Metric::Straight,
             largest,
             sample,
         }
@@ -144,6 +146,16 @@ impl<'a> Search<'a> {
     pub(super) fn within(&self, limit: f64) -> Self {
         Self {
             tolerance: self.tolerance.min(limit),
+            sample: self.sample.clone(),
+            ..*self
+        }
+    }
+
+    /// The same, where vertices agree if no coordinate is more than `limit` apart.
+    pub(super) fn of_coordinates_within(&self, limit: f64) -> Self {
+        Self {
+            tolerance: limit,
+            metric: Metric::ByCoordinate,
             sample: self.sample.clone(),
             ..*self
         }
@@ -241,7 +253,7 @@ impl<'a> Search<'a> {
     /// How far a vertex is from where `skinner` puts it; for one far outside as if it were not farther out than others.
     fn distance(&self, skinner: &mut Skinner, index: usize) -> f64 {
         let theirs = self.theirs[index];
-        let distance = skinner.distance(index, theirs);
+        let distance = skinner.distance(index, theirs, self.metric);
         let out = theirs.abs().max_element();
         let is_outside = self.largest > 0.0 && out > self.largest;
         if is_outside && out.is_finite() {

@@ -26,12 +26,38 @@ pub(super) struct Placed {
     pub(super) is_unweighted: bool,
 }
 
+/// How it is told how far two places are apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Metric {
+    /// In a straight line.
+    Straight,
+    /// By the coordinate that differs most, as rounding moves each by itself.
+    ByCoordinate,
+}
+
+impl Metric {
+    fn between(self, one: DVec3, other: DVec3) -> f64 {
+        match self {
+            Self::Straight => one.distance(other),
+            Self::ByCoordinate => (one - other)
+                .to_array()
+                .into_iter()
+                .map(f64::abs)
+                .fold(0.0, |most, apart| if apart <= most { most } else { apart }),
+        }
+    }
+}
+
 impl Placed {
-    /// How far `theirs` is from it; infinite if that is no place.
+    /// How far `theirs` is from it in a straight line; infinite if that is no place.
     pub(super) fn distance(self, theirs: DVec3) -> f64 {
-        let mut distance = self.at.distance(theirs);
+        self.distance_by(Metric::Straight, theirs)
+    }
+
+    fn distance_by(self, metric: Metric, theirs: DVec3) -> f64 {
+        let mut distance = metric.between(self.at, theirs);
         if self.is_unweighted {
-            distance = distance.min(theirs.length());
+            distance = distance.min(metric.between(DVec3::ZERO, theirs));
         }
         if distance.is_nan() {
             f64::INFINITY
@@ -143,8 +169,8 @@ impl<'a> Skinner<'a> {
 
     /// How far `theirs` is from the vertex at `index` of those that it writes; from the nearest place where programs
     /// have it that differ in which of equal weights they keep, or in what they take beyond an end of the weights.
-    pub(super) fn distance(&mut self, index: usize, theirs: DVec3) -> f64 {
-        let usual = self.place(index).distance(theirs);
+    pub(super) fn distance(&mut self, index: usize, theirs: DVec3, metric: Metric) -> f64 {
+        let usual = self.place(index).distance_by(metric, theirs);
         let weights = self.formula.weights;
         let is_one_way = weights.rows == Rows::Exact && !matches!(weights.kept, Kept::Largest(_));
         if is_one_way || self.formula.factors == Factors::Nothing {
@@ -159,7 +185,8 @@ impl<'a> Skinner<'a> {
         let rows = [own].into_iter().chain(beyond);
         let weighted = rows.filter(|row| !row.is_empty());
         let kept = weighted.flat_map(|row| choices(row, weights));
-        let distances = kept.map(|kept| (self.sum(bind, &kept) * written).distance(theirs));
+        let places = kept.map(|kept| self.sum(bind, &kept) * written);
+        let distances = places.map(|place| metric.between(place, theirs));
         // What is no number is no nearer.
         distances.fold(usual, f64::min)
     }

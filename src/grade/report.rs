@@ -114,7 +114,7 @@ impl Report {
         let possible = sections.iter().filter(|section| !section.extra);
         let possible = in_cents(possible.map(|section| section.possible).sum());
         let submissions = graded.into_iter().map(|(name, mut graded)| {
-            settled::settle(&file.tests, &mut graded);
+            settled::settle(file, &mut graded);
             let tests: Vec<GradedTest> = file
                 .tests
                 .iter()

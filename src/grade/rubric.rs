@@ -76,16 +76,21 @@ pub(super) fn counted<'a>(
     if first.iter().any(|id| id == POSE_NOT_APPLIED) {
         return Some(first);
     }
-    let total = |ids: &[String]| total(&left_by(ids, test, rubric));
+    let left = |ids: &[String]| points_left(ids, test, rubric);
     // Of equals the first, which is the one that is told.
     let best = graded.causes.iter().reduce(|best, other| {
-        if total(other) > total(best) + 1e-9 {
+        if left(other) > left(best) + 1e-9 {
             other
         } else {
             best
         }
     });
     best.map(Vec::as_slice)
+}
+
+/// Points that a test has in all with these mistakes.
+pub(super) fn points_left(ids: &[String], test: &TestData, rubric: &RubricData) -> f64 {
+    total(&left_by(ids, test, rubric))
 }
 
 fn total(points: &BTreeMap<String, f64>) -> f64 {

@@ -1,63 +1,90 @@
 //! Files that several mistakes give alike: the other meshes of the submission tell which of them it makes.
 
 use super::graded::Graded;
-use crate::io::{TestData, TestKind};
+use super::rubric::points_left;
+use crate::diagnose::POSE_NOT_APPLIED;
+use crate::io::{TestData, TestKind, TestsFile};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Of the explanations of each mesh, brings forward the one that most meshes of the submission have, and of those of each
-/// picture the one with mistakes that its meshes show, or else the one that most pictures have. `graded` has the results
-/// of `tests`, in their order.
-pub(super) fn settle(tests: &[TestData], graded: &mut [Graded]) {
-    let all = tests.iter().zip(graded);
-    let (meshes, pictures): (Vec<_>, Vec<_>) =
+/// What is known of an explanation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+struct Given {
+    /// How many results it gives.
+    results: usize,
+    /// How many points it leaves in all of them.
+    points: f64,
+}
+
+/// Of the explanations of each mesh, brings forward the one that most meshes of the submission have, of as many the one
+/// that costs least, and of those of each picture the one with mistakes that its meshes show, or else the one that most
+/// pictures have. `graded` has the results of the tests of `file`, in their order.
+pub(super) fn settle(file: &TestsFile, graded: &mut [Graded]) {
+    let all = file.tests.iter().zip(graded);
+    let (mut meshes, pictures): (Vec<_>, Vec<_>) =
         all.partition(|(test, _)| test.kind == TestKind::Mesh);
-    let [mut meshes, pictures] = [meshes, pictures].map(|of_kind| {
-        let results = of_kind.into_iter().map(|(_, graded)| graded);
-        results.collect::<Vec<&mut Graded>>()
-    });
-    settle_by_most(&mut meshes, "meshes");
+    settle_by_most(&mut meshes, "meshes", file);
     let mut undecided = settle_by_meshes(pictures, &meshes);
-    settle_by_most(&mut undecided, "pictures");
+    settle_by_most(&mut undecided, "pictures", file);
 }
 
 /// Brings forward the explanation that most of `results` have, all of which are of the same `kind`.
-fn settle_by_most(results: &mut [&mut Graded], kind: &str) {
+fn settle_by_most(results: &mut [(&TestData, &mut Graded)], kind: &str, file: &TestsFile) {
     // The same two are alike, whichever of them accounts for more.
     let sorted = |ids: &Vec<String>| {
         let mut ids = ids.clone();
         ids.sort();
         ids
     };
-    let mut counts: BTreeMap<Vec<String>, usize> = BTreeMap::new();
-    for result in &*results {
-        let given: BTreeSet<_> = result.causes.iter().map(sorted).collect();
-        for ids in given {
-            *counts.entry(ids).or_default() += 1;
+    let mut all: BTreeMap<Vec<String>, Given> = BTreeMap::new();
+    for (test, result) in &*results {
+        let explanations: BTreeSet<_> = result.causes.iter().map(sorted).collect();
+        for ids in explanations {
+            let points = points_left(&ids, test, &file.rubric);
+            let given = all.entry(ids).or_default();
+            given.results += 1;
+            given.points += points;
         }
     }
-    for result in results {
-        let count = |place: &usize| counts[&sorted(&result.causes[*place])];
-        // Of as many the one that is named first.
-        let places = (0..result.causes.len()).rev();
-        if let Some(place @ 1..) = places.max_by_key(count) {
-            let why = format!("which gives other {kind} of the submission as well");
-            bring_forward(result, place, &why);
+    for (_, result) in results {
+        let given: Vec<Given> = result.causes.iter().map(|ids| all[&sorted(ids)]).collect();
+        let Some(&first) = given.first() else {
+            continue;
+        };
+        // Where no pose is applied nothing else can be told.
+        let is_unposed = result.causes[0].iter().any(|id| id == POSE_NOT_APPLIED);
+        let is_better = |one: Given, other: Given| {
+            one.results > other.results
+                || !is_unposed && one.results == other.results && one.points > other.points + 1e-9
+        };
+        let mut best = 0;
+        for place in 1..given.len() {
+            // Of equals the one that is named first.
+            if is_better(given[place], given[best]) {
+                best = place;
+            }
+        }
+        if best > 0 {
+            let why = match given[best].results > first.results {
+                true => format!("which gives other {kind} of the submission as well"),
+                false => "which costs least of what gives the same".to_owned(),
+            };
+            bring_forward(result, best, &why);
         }
     }
 }
 
 /// Brings forward the explanations with mistakes that `meshes` show. Returns the pictures without one.
 fn settle_by_meshes<'a>(
-    pictures: Vec<&'a mut Graded>,
-    meshes: &[&mut Graded],
-) -> Vec<&'a mut Graded> {
-    let shown = meshes.iter().filter_map(|mesh| mesh.causes.first());
+    pictures: Vec<(&'a TestData, &'a mut Graded)>,
+    meshes: &[(&TestData, &mut Graded)],
+) -> Vec<(&'a TestData, &'a mut Graded)> {
+    let shown = meshes.iter().filter_map(|(_, mesh)| mesh.causes.first());
     let shown: BTreeSet<&String> = shown.flatten().collect();
     let mut undecided = Vec::new();
-    for picture in pictures {
+    for (test, picture) in pictures {
         let is_shown = |ids: &Vec<String>| ids.iter().all(|id| shown.contains(id));
         match picture.causes.iter().position(is_shown) {
-            None => undecided.push(picture),
+            None => undecided.push((test, picture)),
             Some(0) => {}
             Some(place) => bring_forward(picture, place, "which meshes of the submission show"),
         }
@@ -76,7 +103,6 @@ fn bring_forward(graded: &mut Graded, place: usize, why: &str) {
 mod tests {
     use super::*;
     use crate::grade::Outcome;
-    use crate::io::TestsFile;
     use std::path::Path;
 
     fn graded(causes: &[&[&str]]) -> Graded {
@@ -98,7 +124,7 @@ mod tests {
         let file = TestsFile::read(Path::new("tests.json"), text.as_bytes()).unwrap();
         let settled = |meshes: [&[&[&str]]; 3]| {
             let mut all = meshes.map(graded);
-            settle(&file.tests, &mut all);
+            settle(&file, &mut all);
             let counted = all.map(|graded| {
                 let text = graded.text.strip_prefix("told").unwrap().to_owned();
                 (graded.causes.first().map(|ids| ids.join(" ")), text)
@@ -122,13 +148,36 @@ mod tests {
     }
 
     #[test]
+    fn of_mistakes_that_give_as_many_meshes_that_counts_which_costs_least() {
+        let row = r#""character": "builtin:robot", "pose": "builtin:robot-greet", "points": {"3.4": 6, "4.2": 1}"#;
+        let text = format!(r#"{{"tests": [{{"name": "a", {row}}}, {{"name": "b", {row}}}]}}"#);
+        let file = TestsFile::read(Path::new("tests.json"), text.as_bytes()).unwrap();
+        let (dear, cheap) = (&["euler-zyx"][..], &["no-inverse-bind"][..]);
+        let settled = |causes: [&[&[&str]]; 2]| {
+            let mut both = causes.map(graded);
+            settle(&file, &mut both);
+            both.map(|graded| {
+                graded.causes[0][0].clone() + graded.text.strip_prefix("told").unwrap()
+            })
+        };
+        let least = "no-inverse-bind\n  counted  as no-inverse-bind, which costs least of what gives the same";
+        assert_eq!(settled([&[dear, cheap]; 2]), [least; 2]);
+        assert_eq!(settled([&[dear, cheap], &[dear]]), ["euler-zyx"; 2]);
+        // Where no pose is applied nothing else is seen.
+        assert_eq!(
+            settled([&[&[POSE_NOT_APPLIED], cheap]; 2]),
+            [POSE_NOT_APPLIED; 2]
+        );
+    }
+
+    #[test]
     fn pictures_without_meshes_decide_among_themselves() {
         let row = r#""character": "builtin:robot", "pose": "builtin:robot-greet", "points": {"3.4": 1},
             "kind": "picture", "camera": [80, 10, 3]"#;
         let text = format!(r#"{{"tests": [{{"name": "a", {row}}}, {{"name": "b", {row}}}]}}"#);
         let file = TestsFile::read(Path::new("tests.json"), text.as_bytes()).unwrap();
         let mut both = [graded(&[&["x"], &["y"]]), graded(&[&["y"]])];
-        settle(&file.tests, &mut both);
+        settle(&file, &mut both);
         let [first, second] = both;
         let counted = "told\n  counted  as y, which gives other pictures of the submission as well";
         assert_eq!((&*first.causes[0][0], &*first.text), ("y", counted));
@@ -146,7 +195,7 @@ mod tests {
         let settled = |mesh: &[&str]| {
             let picture: [&[&str]; 3] = [&["x"], &["y", "z"], &["z", "w"]];
             let mut both = [graded(&[mesh]), graded(&picture)];
-            settle(&file.tests, &mut both);
+            settle(&file, &mut both);
             let [_, picture] = both;
             (
                 picture.causes[0].join(" "),

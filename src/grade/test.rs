@@ -12,7 +12,9 @@ use crate::diagnose::{
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
-use crate::io::{RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, read_posed_vertices};
+use crate::io::{
+    RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, read_posed_vertices,
+};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::Vec3;
@@ -211,6 +213,7 @@ impl Test {
             for mistakes in &mut causes {
                 let of_faces = found.faces.mistakes();
                 mistakes.extend(of_faces.map(|mistake| mistake.id.to_owned()));
+                mistakes.extend(found.coarse.map(|_| RIGHT_BUT_FOR_DIGITS.to_owned()));
             }
         }
         Graded {

@@ -115,6 +115,31 @@ fn numbers_with_too_few_digits_are_said_to_be_the_reason() {
 }
 
 #[test]
+fn a_mistake_that_agrees_within_the_last_of_few_digits_is_named() {
+    let figure = adult();
+    for ids in [
+        &["euler-zyx"][..],
+        &["no-inverse-bind"],
+        &["euler-zyx", "strongest-joint-only"],
+    ] {
+        let theirs = with(ids).skin(&figure);
+        let found = figure.diagnose(&written(&theirs, 2));
+        assert_eq!(found.verdict, Verdict::Explained, "{ids:?}: {found}");
+        let mut mistakes = found.together();
+        mistakes.sort_unstable();
+        assert_eq!((&*mistakes, &*found.same_as), (ids, &[][..]), "{found}");
+        assert!(!found.coarse.unwrap().may_be_right);
+        let told = "its numbers are rounded to 0.01, which may hide smaller mistakes: write at least 4 digits after the point";
+        assert!(found.to_string().contains(told), "{found}");
+        // A hundredth more than rounding is no longer that.
+        let mut off = written(&theirs, 2);
+        off[7].y += 0.01;
+        let found = figure.diagnose(&off);
+        assert_eq!(found.verdict, Verdict::Unexplained, "{ids:?}: {found}");
+    }
+}
+
+#[test]
 fn a_part_that_is_off_is_told_by_its_joint() {
     let figure = adult();
     let mut theirs = RIGHT.skin(&figure);

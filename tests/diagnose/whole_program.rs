@@ -602,6 +602,40 @@ fn a_root_that_is_turned_about_the_origin_is_not_a_mesh_that_was_moved() {
 }
 
 #[test]
+fn joints_that_hang_on_what_a_misread_number_says_are_named() {
+    let figure = Figure::builtin("adult", turned(64));
+    let less_1 = "each on the one whose index is that of its parent less 1, those on the first on";
+    let ways: [(fn(usize, Option<usize>) -> Option<usize>, String); 4] = [
+        (
+            |joint, _| joint.checked_sub(1),
+            "each on the joint of the line before".to_owned(),
+        ),
+        (
+            |joint, _| (joint > 0).then_some(0),
+            "all on the first joint".to_owned(),
+        ),
+        (
+            |_, own| own.map(|own| own.saturating_sub(1)),
+            format!("{less_1} that"),
+        ),
+        (|_, own| own?.checked_sub(1), format!("{less_1} none")),
+    ];
+    for (parent, how) in ways {
+        let mut wrong = Figure::builtin("adult", turned(64));
+        for joint in 0..wrong.parents.len() {
+            wrong.parents[joint] = parent(joint, figure.parents[joint]);
+        }
+        let found = figure.diagnose(&written(&RIGHT.skin(&wrong), 6));
+        assert_named(&found, "parents-misread", &how);
+        // Beside a mistake of another section as well.
+        let both = with(&["euler-zyx"]).skin(&wrong);
+        let mut causes = figure.diagnose(&written(&both, 6)).together();
+        causes.sort_unstable();
+        assert_eq!(causes, ["euler-zyx", "parents-misread"], "{how}");
+    }
+}
+
+#[test]
 fn two_joints_with_each_others_weights_are_named() {
     let figure = Figure::builtin("adult", turned(58));
     let exchange = Student {

@@ -2,6 +2,7 @@
 
 use super::panel::{label, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
+use crate::compare::sentence;
 use crate::diagnose::{Diagnosis, Mistake, OtherPose, POSE_NOT_APPLIED, Shown, Verdict, of_size};
 use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
@@ -224,6 +225,9 @@ impl Parts<'_> {
                 }
                 let text = format!("That explains {} to within {off}.", self.compare.name);
                 say(ui, &text, palette.weak);
+                if let Some(coarse) = &diagnosis.coarse {
+                    say(ui, &sentence(&coarse.beside_mistakes()), palette.text);
+                }
             }
             // Nothing can be said of a mesh in a pose that is not there.
             Verdict::Unexplained if lacks_pose => {}
