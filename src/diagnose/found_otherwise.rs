@@ -33,6 +33,16 @@ pub(super) static VERTEX_TOO_MANY: Mistake = Mistake {
     readings: &[],
 };
 
+/// The same where one is missing.
+pub(super) static VERTEX_MISSING: Mistake = Mistake {
+    id: "vertex-missing",
+    meaning: "there is one vertex fewer than the model has",
+    section: MESH,
+    look_at: "where vertices are read and where they are written: each loop goes from the first one, 0, to the last, which \
+              is one less than their number",
+    readings: &[],
+};
+
 /// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
 pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
     id: "one-wrong-parent",
@@ -166,10 +176,11 @@ fn scale_angles(formula: &mut Formula, pi: f64) {
 }
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 15] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 16] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
+    &VERTEX_MISSING,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
     &WEIGHTS_EXCHANGED,

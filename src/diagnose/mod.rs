@@ -5,7 +5,6 @@
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
-mod extra_vertex;
 mod faces;
 mod findings;
 mod formula;
@@ -37,6 +36,7 @@ mod small_weights;
 mod tree_formula;
 mod triangles;
 mod turned_picture;
+mod vertex_count;
 mod vertex_formula;
 mod weight_formula;
 mod whole_program;
@@ -68,13 +68,13 @@ use crate::character::{Character, Pose};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
 use crate::steps::{Pace, at_once};
-use extra_vertex::Extra;
 use findings::Findings;
 use glam::{DVec3, Vec3};
 use model::Model;
 use precision::Written;
 use search::{Alone, Explanation, Search};
 use std::rc::Rc;
+use vertex_count::Miscount;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
 /// of a mesh of size 1, or computing in single precision, is off by.
@@ -113,8 +113,8 @@ pub enum DiagnoseError {
 /// Whether a mesh of `vertices` vertices may be one of `character`, or of what importers make of it.
 pub fn may_be_of(character: &Character, vertices: usize) -> bool {
     let model = Model::new(character);
-    let mut extra = Extra::places(model.positions.len(), vertices);
-    order_of(&model, vertices).is_some() || extra.next().is_some()
+    let mut miscounts = Miscount::places(character, vertices);
+    order_of(&model, vertices).is_some() || miscounts.next().is_some()
 }
 
 /// Finds out which mistake gives the vertices of `theirs`, in model space, instead of those of
@@ -147,12 +147,15 @@ async fn diagnose_by(
         }
         Err(error) => error,
     };
-    for extra in Extra::places(model.positions.len(), vertices.len()) {
-        let mut others = diagnose_vertices(&model, pose, extra.without(vertices), &pace).await?;
-        if extra == Extra::AfterLast {
-            others.judge(FaceDifference::find(&model, &others, theirs, &pace).await);
+    for miscount in Miscount::places(character, vertices.len()) {
+        let lacking = miscount.lacking(character);
+        let lacking = lacking.as_ref().map(Model::new);
+        let model = lacking.as_ref().unwrap_or(&model);
+        let mut others = diagnose_vertices(model, pose, miscount.without(vertices), &pace).await?;
+        if !miscount.renumbers() {
+            others.judge(FaceDifference::find(model, &others, theirs, &pace).await);
         }
-        if let Some(found) = extra.added_to(others) {
+        if let Some(found) = miscount.added_to(others) {
             return Ok(found);
         }
     }

@@ -71,7 +71,10 @@ pub fn take_faces_of(model: &Mesh, path: &Path, read: &mut Mesh) -> Option<Diagn
     if !read.triangles.is_empty() {
         return None;
     }
-    read.triangles.clone_from(&model.triangles);
+    let vertices = read.positions.len();
+    let is_there = |corners: &&[u32; 3]| corners.iter().all(|&corner| (corner as usize) < vertices);
+    let triangles = model.triangles.iter().filter(is_there);
+    read.triangles.extend(triangles);
     let message = "found no faces (lines `f a b c`): taken to be those of the model";
     Some(Diagnostic::new(path, message))
 }

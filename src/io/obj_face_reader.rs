@@ -182,7 +182,10 @@ impl FaceReader {
     /// At the first corner that names something that does not exist, and if there are no vertices
     /// or no faces.
     pub fn finish(mut self, scanner: &Scanner) -> Result<(Faces, Warnings), Diagnostic> {
-        let has_all = self.expected_vertices == Some(self.counts[0]);
+        let found = self.counts[0];
+        // One that is missing is a mistake with a name, beside which the others can be told to be right.
+        let has_all = |expected| found == expected || found > 0 && found + 1 == expected;
+        let has_all = self.expected_vertices.is_some_and(has_all);
         let missing = || self.ahead.iter().filter(|a| a.is_missing(&self.counts));
         if let Some(first) = missing().next().filter(|_| !has_all) {
             return Err(self.does_not_exist(scanner, first));
@@ -214,8 +217,9 @@ impl FaceReader {
         let expected = self.expected_vertices.filter(|_| self.counts[0] > 0);
         if let (Some(_), Some(expected)) = (nothing, expected) {
             let found = self.counts[0];
+            let vertices = if found == 1 { "vertex" } else { "vertices" };
             let message =
-                format!("expected {expected} vertices, or faces, found {found} vertices alone");
+                format!("expected {expected} vertices, or faces, found {found} {vertices} alone");
             return Err(scanner.error(scanner.end(), message));
         }
         if let Some(nothing) = nothing {

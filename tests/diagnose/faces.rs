@@ -244,7 +244,8 @@ fn one_vertex_too_many_is_named_beside_what_the_others_are() {
         }
     }
     // Two, or one beside what nothing explains.
-    let two = [&RIGHT.skin(&figure)[..], &[Vec3::ZERO; 2]].concat();
+    let right = RIGHT.skin(&figure);
+    let two = [&right[..], &[Vec3::ZERO; 2]].concat();
     let noise = figure
         .positions
         .iter()
@@ -257,4 +258,41 @@ fn one_vertex_too_many_is_named_beside_what_the_others_are() {
         let expected = figure.positions.len();
         assert_eq!(error, DiagnoseError::Vertices { expected, found });
     }
+}
+
+#[test]
+fn one_vertex_too_few_is_named_beside_what_the_others_are() {
+    let figure = Figure::builtin("adult", turned(90));
+    let model = figure.character.bind_mesh();
+    let read = |text: &str| read_posed_vertices(Path::new("mine.obj"), text.as_bytes(), model);
+    for (ids, section) in [(&[][..], 0), (&["euler-zyx"], 1), (&["factors-swapped"], 1)] {
+        let places = with(ids).skin(&figure);
+        let last = places.len() - 1;
+        for (how, left) in [("the last", &places[..last]), ("the first", &places[1..])] {
+            let vertices: String = left
+                .iter()
+                .map(|at| format!("v {:.6} {:.6} {:.6}\n", at.x, at.y, at.z))
+                .collect();
+            let faces: String = figure
+                .triangles
+                .iter()
+                .map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1))
+                .collect();
+            // With the faces of all vertices, and without any.
+            for text in [vertices.clone() + &faces, vertices] {
+                let mesh = read(&text).unwrap().value;
+                let found = diagnose(&figure.character, &figure.pose(), &mesh).unwrap();
+                assert_eq!(found.verdict, Verdict::Explained, "{found}");
+                let expected: Vec<&str> = ids.iter().copied().chain(["vertex-missing"]).collect();
+                assert_eq!(found.together(), expected, "{found}");
+                let told = &found.mistakes[section];
+                assert_eq!((&*told.how, told.section), (how, "4.1 Mesh"));
+            }
+        }
+    }
+    // One in the middle is not.
+    let mut right = RIGHT.skin(&figure);
+    right.remove(700);
+    let mesh = Mesh::new(right, Vec::new());
+    assert!(diagnose(&figure.character, &figure.pose(), &mesh).is_err());
 }

@@ -248,7 +248,15 @@ fn vertices_alone_are_enough_if_they_are_all() {
     assert_eq!((ran.code, &*ran.err), (Some(0), warning), "{}", ran.out);
     fs::write(folder.path().join("points.txt"), "v 1 1 0\nv 0.25 0.5 0\n").unwrap();
     let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
-    let told = "points.txt:2:13: expected 3 vertices, or faces, found 2 vertices alone";
+    let told = "vertex-missing: there is one vertex fewer than the model has (the last)\n";
+    assert!(
+        ran.code == Some(1) && ran.out.starts_with(told),
+        "{}",
+        ran.out
+    );
+    fs::write(folder.path().join("points.txt"), "v 1 1 0\n").unwrap();
+    let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
+    let told = "points.txt:1:8: expected 3 vertices, or faces, found 1 vertex alone";
     assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
 }
 

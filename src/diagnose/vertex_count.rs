@@ -1,0 +1,108 @@
+//! Meshes with one vertex more or fewer than the character has.
+
+use super::diagnosis::{ToldMistake, all_causes};
+use super::found_otherwise::{VERTEX_MISSING, VERTEX_TOO_MANY};
+use super::mistake::Mistake;
+use super::{Diagnosis, Verdict};
+use crate::character::{Attachments, Character};
+use crate::geometry::Mesh;
+use glam::Vec3;
+use std::ops::Range;
+
+/// Where a program has one vertex too many, or lacks one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Miscount {
+    AfterLast,
+    BeforeFirst,
+    WithoutLast,
+    WithoutFirst,
+}
+
+impl Miscount {
+    /// Where it may be, in the order in which that is tried, if a mesh of `character` has so many vertices.
+    pub(super) fn places(character: &Character, found: usize) -> impl Iterator<Item = Self> {
+        let expected = character.bind_mesh().positions.len();
+        let is_possible = move |place: &Self| match place {
+            Self::AfterLast | Self::BeforeFirst => found == expected + 1,
+            // What else a Collada file says is of all vertices.
+            Self::WithoutLast | Self::WithoutFirst => {
+                found > 0 && found + 1 == expected && character.file_frames().is_none()
+            }
+        };
+        let all = [
+            Self::AfterLast,
+            Self::BeforeFirst,
+            Self::WithoutLast,
+            Self::WithoutFirst,
+        ];
+        all.into_iter().filter(is_possible)
+    }
+
+    /// Whether it moves the numbers that faces name vertices by.
+    pub(super) fn renumbers(self) -> bool {
+        matches!(self, Self::BeforeFirst | Self::WithoutFirst)
+    }
+
+    /// The vertices without the one too many.
+    pub(super) fn without(self, vertices: &[Vec3]) -> &[Vec3] {
+        match (self, vertices) {
+            (Self::AfterLast, [others @ .., _]) | (Self::BeforeFirst, [_, others @ ..]) => others,
+            _ => vertices,
+        }
+    }
+
+    /// The character without the vertex that is missing; `None` if none is.
+    pub(super) fn lacking(self, character: &Character) -> Option<Character> {
+        let bind = character.bind_mesh();
+        let last = bind.positions.len() - 1;
+        let kept: Range<usize> = match self {
+            Self::AfterLast | Self::BeforeFirst => return None,
+            Self::WithoutLast => 0..last,
+            Self::WithoutFirst => 1..last + 1,
+        };
+        let triangles = bind.triangles.iter().filter_map(|corners| {
+            let is_kept = corners
+                .iter()
+                .all(|&corner| kept.contains(&(corner as usize)));
+            is_kept.then(|| corners.map(|corner| corner - kept.start as u32))
+        });
+        let mesh = Mesh::new(bind.positions[kept.clone()].to_vec(), triangles.collect());
+        let mut attachments = Attachments::new();
+        for vertex in kept.clone() {
+            let influences = character.attachments().of_vertex(vertex);
+            attachments.push_vertex(influences.iter().copied());
+        }
+        Character::new(character.skeleton().clone(), attachments, mesh).ok()
+    }
+
+    /// The diagnosis of a mesh with it, from that of the others: where these are known to be right or what a mistake
+    /// gives.
+    pub(super) fn added_to(self, mut found: Diagnosis) -> Option<Diagnosis> {
+        if !matches!(
+            found.verdict,
+            Verdict::Right | Verdict::Triangles | Verdict::Explained
+        ) {
+            return None;
+        }
+        let (mistake, how): (&Mistake, _) = match self {
+            Self::AfterLast => (&VERTEX_TOO_MANY, "after the last"),
+            Self::BeforeFirst => (&VERTEX_TOO_MANY, "before the first"),
+            Self::WithoutLast => (&VERTEX_MISSING, "the last"),
+            Self::WithoutFirst => (&VERTEX_MISSING, "the first"),
+        };
+        found.verdict = Verdict::Explained;
+        found.mistakes.push(ToldMistake {
+            how: how.into(),
+            ..ToldMistake::whole(mistake)
+        });
+        for same in &mut found.same_as {
+            same.push(mistake.id);
+        }
+        found.causes = all_causes(&found.mistakes, &found.same_as);
+        if let (Self::BeforeFirst, Some(first)) = (self, &mut found.first) {
+            first.vertex += 1;
+        }
+        found.unseen.clear();
+        Some(found)
+    }
+}
