@@ -601,11 +601,14 @@ fn a_root_that_is_turned_about_the_origin_is_not_a_mesh_that_was_moved() {
     }
 }
 
+/// The parent that a joint is given by its index and its parent in the file.
+type Misread = fn(usize, Option<usize>) -> Option<usize>;
+
 #[test]
 fn joints_that_hang_on_what_a_misread_number_says_are_named() {
     let figure = Figure::builtin("adult", turned(64));
     let less_1 = "each on the one whose index is that of its parent less 1, those on the first on";
-    let ways: [(fn(usize, Option<usize>) -> Option<usize>, String); 4] = [
+    let ways: [(Misread, String); 4] = [
         (
             |joint, _| joint.checked_sub(1),
             "each on the joint of the line before".to_owned(),
