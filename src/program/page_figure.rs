@@ -3,7 +3,7 @@
 
 use crate::compare::Area;
 use crate::geometry::Picture;
-use crate::ui::PageFigure;
+use crate::ui::{FigureOff, PageFigure};
 
 /// Background of the page's view.
 const TEAL: [u8; 3] = [0, 95, 95];
@@ -16,6 +16,8 @@ const SOLID: usize = 7;
 /// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
 /// and a forearm that is turned a little is more than a hundredth.
 const LITTLE: f64 = 0.002;
+/// Pixels from one that stands for those around it to the next.
+const APART: u32 = 3;
 
 /// What a pixel of a picture in the page's look is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,17 +61,30 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     });
     let is_figure = |at: &usize| page.is_figure(*at) || ours.is_figure(*at);
     let figure = (0..page.pixels.len()).filter(is_figure);
-    let size = page.meshes() + ours.meshes();
-    let mut islands = [page.islands_off(&ours), ours.islands_off(&page)].concat();
-    islands.sort_by_key(Vec::len);
+    let of_meshes = page.meshes() + ours.meshes();
+    let [ours_off, page_off] = [ours.islands_off(&page), page.islands_off(&ours)];
+    let mut sizes: Vec<usize> = ours_off.iter().chain(&page_off).map(Vec::len).collect();
+    sizes.sort_unstable();
     let mut passed_over = 0;
-    let off = islands.iter().skip_while(|island| {
-        passed_over += island.len();
-        passed_over as f64 <= LITTLE * size as f64
+    let least = sizes.into_iter().find(|size| {
+        passed_over += size;
+        passed_over as f64 > LITTLE * of_meshes as f64
     });
+    let told = |islands: &[Vec<usize>]| -> Vec<usize> {
+        let told = islands
+            .iter()
+            .filter(|island| least.is_some_and(|least| island.len() >= least));
+        told.flatten().copied().collect()
+    };
+    let [ours_off, page_off] = [told(&ours_off), told(&page_off)];
+    let all = page.area_around(ours_off.iter().chain(&page_off).copied());
     Some(PageFigure {
         area: page.area_around(figure)?,
-        off: page.area_around(off.flatten().copied()),
+        off: all.map(|area| FigureOff {
+            area,
+            ours: page.spread(&ours_off),
+            theirs: page.spread(&page_off),
+        }),
     })
 }
 
@@ -119,7 +134,22 @@ impl FigureIn<'_> {
     }
 
     fn area_around(&self, places: impl Iterator<Item = usize>) -> Option<Area> {
-        Area::around(places.map(|at| ((at % self.width) as u32, (at / self.width) as u32)))
+        Area::around(places.map(|at| {
+            let [x, y] = self.pixel(at);
+            (x, y)
+        }))
+    }
+
+    fn pixel(&self, at: usize) -> [u32; 2] {
+        [(at % self.width) as u32, (at / self.width) as u32]
+    }
+
+    /// Some of these places.
+    fn spread(&self, places: &[usize]) -> Vec<[u32; 2]> {
+        let pixels = places.iter().map(|&at| self.pixel(at));
+        pixels
+            .filter(|pixel| pixel.iter().all(|along| along % APART == 0))
+            .collect()
     }
 
     /// A place and those beside it.
@@ -170,7 +200,9 @@ mod tests {
             }
         };
         let page = picture(5..10, TEAL);
-        let off = |page: &Picture, ours: &Picture| compare_figures(page, ours).unwrap().off;
+        let off = |page: &Picture, ours: &Picture| {
+            compare_figures(page, ours).unwrap().off.map(|off| off.area)
+        };
         assert_eq!(off(&page, &picture(5..10, [170; 3])), None);
         // An edge says nothing.
         assert_eq!(off(&page, &picture(5..11, TEAL)), None);

@@ -65,7 +65,7 @@ pub use commands::{
 };
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
-    CompareView, MeshesShown, PageFigure, ShownPicture, course_panels, mannequin_panels,
+    CompareView, FigureOff, MeshesShown, PageFigure, ShownPicture, course_panels, mannequin_panels,
     picture_texture,
 };
 pub use mesh_colors::{Legend, MeshColors};

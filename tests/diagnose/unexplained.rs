@@ -272,10 +272,10 @@ fn another_number_of_vertices_is_an_error() {
     };
     let expected = figure.positions.len();
     assert_eq!(
-        counts(&figure.positions[1..]),
+        counts(&figure.positions[2..]),
         DiagnoseError::Vertices {
             expected,
-            found: expected - 1
+            found: expected - 2
         }
     );
     assert_eq!(counts(&[]), DiagnoseError::Vertices { expected, found: 0 });

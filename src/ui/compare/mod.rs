@@ -3,12 +3,14 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
+mod limbs;
 mod masks;
 mod mesh_distances;
 mod mesh_marker;
 mod mesh_panel;
 mod mesh_view;
 mod outlined;
+mod page_figure;
 mod panel;
 mod pictures;
 mod place;
@@ -84,19 +86,23 @@ pub struct CompareReport {
 
 /// Where the figure in a screenshot of the Virtual Mannequin's page is not the one in the live view, whatever differs of
 /// floor and bones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PageFigure {
     /// The area round the figure in either.
     pub area: Area,
-    /// The area round what differs of it; `None` if the figures agree.
-    pub off: Option<Area>,
+    /// What differs of it; `None` if the figures agree.
+    pub off: Option<FigureOff>,
 }
 
-impl PageFigure {
-    /// Whether all of it differs.
-    fn is_all_over(&self) -> bool {
-        self.off.is_some_and(|off| off.is_all_over(self.area))
-    }
+/// What differs of a figure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FigureOff {
+    /// The area round it.
+    pub area: Area,
+    /// Some of the pixels `(x, y)` that are off of the figure in the live view, which are spread evenly.
+    pub ours: Vec<[u32; 2]>,
+    /// The same of the figure in the screenshot.
+    pub theirs: Vec<[u32; 2]>,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

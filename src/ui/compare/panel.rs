@@ -1,4 +1,5 @@
 use super::outlined::Outlined;
+use super::page_figure::{self, FigureTold};
 use super::place::place;
 use super::{CompareReport, CompareView, masks};
 use crate::compare::{Area, Differences, Judgment};
@@ -261,11 +262,15 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
     let counts = compare.report.differences.as_ref();
     let all = counts.and_then(|counts| counts.differing_area);
     // What differs of the figure says more than all that does, where other lines and floors are drawn about it.
-    let of_page = compare.report.page_figure;
-    let off = of_page.and_then(|figure| figure.off);
-    let all = off.or(all);
-    let is_still_told =
-        |area: &Area| all == Some(*area) || areas.clone().any(|f| f.area() == Some(*area));
+    let of_page = compare.report.page_figure.as_ref();
+    let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure));
+    let places = of_page.as_ref().map(|figure| &figure.places);
+    let is_still_told = |area: &Area| {
+        let mut of_page = places.into_iter().flatten();
+        all == Some(*area)
+            || of_page.any(|place| place.area == *area)
+            || areas.clone().any(|f| f.area() == Some(*area))
+    };
     *outlined = Outlined {
         hovered: None,
         clicked: outlined.clicked.filter(is_still_told),
@@ -297,18 +302,24 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                         link(ui, &place, area, outlined);
                     }
                 }
-                if judgment.findings.is_empty() && of_page.is_some() && off.is_none() {
-                    say(ui, FIGURE_AGREES, palette.strong);
-                } else if judgment.findings.is_empty() {
-                    let text = match off {
-                        Some(_) => FIGURE_DIFFERS,
-                        None => "No single cause explains the differences.",
-                    };
-                    say(ui, text, palette.text);
-                    let figure = of_page.map(|figure| figure.area).or(judgment.figure);
-                    if let Some((area, figure)) = all.zip(figure) {
-                        let place = place(session, area, figure, compare.size());
-                        link(ui, &place, area, outlined);
+                match places {
+                    _ if !judgment.findings.is_empty() => {}
+                    Some(places) if places.is_empty() => {
+                        say(ui, page_figure::AGREES, palette.strong);
+                    }
+                    Some(places) => {
+                        say(ui, page_figure::DIFFERS, palette.text);
+                        for place in places {
+                            link(ui, &place.told, place.area, outlined);
+                        }
+                    }
+                    None => {
+                        let text = "No single cause explains the differences.";
+                        say(ui, text, palette.text);
+                        if let Some((area, figure)) = all.zip(judgment.figure) {
+                            let place = place(session, area, figure, compare.size());
+                            link(ui, &place, area, outlined);
+                        }
                     }
                 }
             }
@@ -321,7 +332,8 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
             }
         }
         let look = session.view().look;
-        for hint in hints(compare, look, counts) {
+        let of_page = of_page.as_ref().filter(|_| look == Look::Mannequin);
+        for hint in hints(compare, look, counts).chain(of_page.map(|figure| figure.hint)) {
             say(ui, hint, palette.text);
         }
     });
@@ -356,16 +368,6 @@ const COVERED: &str = "If A shows the other program's panels, leave them out: Ma
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
-const FIGURE_DIFFERS: &str = "No single cause explains the differences. But for edges and lines of bones, the figure differs:";
-
-const FIGURE_AGREES: &str = "The figure agrees but for its edges and what lines of bones cover.";
-
-const OF_PAGE: &str = "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last \
-                       bones: these always differ.";
-
-const OF_PAGE_ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where \
-                                 the page's was: Home leads to where it starts.";
-
 /// What the person at the panel can do about differences.
 fn hints(
     compare: &CompareView,
@@ -374,17 +376,12 @@ fn hints(
 ) -> impl Iterator<Item = &'static str> {
     let settings = compare.settings;
     let look_is_course = look == Look::Course;
-    let of_page = compare.report.page_figure;
-    let of_page = of_page.filter(|_| look == Look::Mannequin);
-    let is_elsewhere = of_page.is_some_and(|figure| figure.is_all_over());
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     let other_look = other_look(look, compare.look).into_iter();
     let others = [
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
-        (of_page.is_some() && !is_elsewhere, OF_PAGE),
-        (is_elsewhere, OF_PAGE_ELSEWHERE),
     ];
     let others = others.into_iter();
     other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))

@@ -19,10 +19,16 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
     } else {
         nearest_joint(session, area, size)
     };
-    sentence(&match joint {
-        Some(joint) => format!("near {joint}, in {} of the figure", area.part_of(figure)),
-        None => area.place_in(figure),
-    })
+    match joint {
+        Some(joint) => near(&joint, area, figure),
+        None => sentence(&area.place_in(figure)),
+    }
+}
+
+/// Sentence about where `area` of `figure` is that is near `joint`.
+pub(super) fn near(joint: &str, area: Area, figure: Area) -> String {
+    let part = area.part_of(figure);
+    sentence(&format!("near {joint}, in {part} of the figure"))
 }
 
 /// Share of the bone of a joint that is in the area of what the joint has turned, but for its beginning; and of bones that

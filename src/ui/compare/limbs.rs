@@ -1,0 +1,153 @@
+//! Which limbs differ of a figure, by the bones of the characters in view.
+
+use super::FigureOff;
+use crate::compare::Area;
+use crate::editor::Session;
+use crate::scene::bones_in_world;
+use glam::Vec2;
+
+/// Points along a bone that are looked at.
+const SAMPLES: u8 = 16;
+/// How far from a bone's line a pixel may be that is off where the bone is, by the picture's height: the line runs through the
+/// middle of a limb, which is off unless the limb has hardly moved.
+const AT_BONE: f32 = 0.012;
+/// Share of a bone's line that is off where the joint before it is turned: its beginning stays where it is.
+const OWN: f32 = 0.4;
+/// The same of each bone that hangs on it, …
+const NEXT: f32 = 0.4;
+/// … unless that is shorter than this, by the picture's height: of fingers little is more than an edge.
+const SHORT: f32 = 0.025;
+/// How far from its bones a limb reaches, by the picture's height, …
+const THICK: f32 = 0.06;
+/// … and the share of what is off that limbs have to have: with less something else differs, such as the camera.
+const EXPLAINED: f32 = 0.9;
+/// Most limbs of one figure that differ by themselves.
+const MOST: usize = 6;
+
+/// A limb that differs: what a joint turns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Limb {
+    /// Name of the joint, with the character's if there are several.
+    pub name: String,
+    /// The area round what is off of it in either picture.
+    pub area: Area,
+}
+
+/// A bone in the picture.
+struct BoneSeen {
+    joint: usize,
+    ends: [Vec2; 2],
+    /// Share of its line that is off, 0 to 1.
+    off: f32,
+}
+
+impl BoneSeen {
+    fn distance(&self, pixel: Vec2) -> f32 {
+        let [start, end] = self.ends;
+        let along = end - start;
+        let part = (pixel - start).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+        (start + along * part.clamp(0.0, 1.0)).distance(pixel)
+    }
+}
+
+/// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones that are
+/// `off`. None if these are not all that differs.
+pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Limb> {
+    let size = Vec2::new(size.0 as f32, size.1 as f32);
+    let [ours, theirs] = [&off.ours, &off.theirs].map(|pixels| {
+        let pixels = pixels.iter().map(|&[x, y]| Vec2::new(x as f32, y as f32));
+        pixels.collect::<Vec<Vec2>>()
+    });
+    let limbs = seen_limbs(session, &ours, size);
+    let nearest = |pixel: Vec2| {
+        let distances = limbs.iter().map(|(_, bones)| {
+            let distances = bones.iter().map(|bone| bone.distance(pixel));
+            distances.fold(f32::INFINITY, f32::min)
+        });
+        distances
+            .enumerate()
+            .min_by(|(_, a), (_, b)| a.total_cmp(b))
+    };
+    let at_limb = |pixel: &&Vec2| nearest(**pixel).is_some_and(|(_, it)| it <= THICK * size.y);
+    let explained = ours.iter().filter(at_limb).count() as f32;
+    if limbs.len() > MOST || explained < EXPLAINED * ours.len() as f32 {
+        return Vec::new();
+    }
+    let mut pixels = vec![Vec::new(); limbs.len()];
+    for &pixel in ours.iter().chain(&theirs) {
+        if let Some((limb, _)) = nearest(pixel) {
+            pixels[limb].push((pixel.x as u32, pixel.y as u32));
+        }
+    }
+    let limbs = limbs.into_iter().zip(pixels);
+    let limbs = limbs.filter_map(|((name, _), pixels)| {
+        let area = Area::around(pixels)?;
+        Some(Limb { name, area })
+    });
+    limbs.collect()
+}
+
+/// The limbs whose bones are at pixels that are off in the live view, each with all of its bones.
+fn seen_limbs(session: &Session, ours: &[Vec2], size: Vec2) -> Vec<(String, Vec<BoneSeen>)> {
+    let camera = &session.view().camera;
+    let (scene, evaluated) = (session.scene(), session.evaluated());
+    let is_off = |at: Vec2| {
+        ours.iter()
+            .any(|pixel| pixel.distance(at) <= AT_BONE * size.y)
+    };
+    let characters = scene.shapes().iter().filter(|shape| shape.visible);
+    let characters = characters.filter_map(|shape| Some((shape, scene.character(shape.id)?)));
+    let several = characters.clone().count() > 1;
+    let mut limbs: Vec<(String, Vec<BoneSeen>)> = Vec::new();
+    for (shape, character) in characters {
+        let Some(shown) = evaluated.shape(shape.id) else {
+            continue;
+        };
+        let joints = character.character.skeleton().joints();
+        let seen = bones_in_world(scene, shown).filter_map(|(joint, start, end)| {
+            let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
+            let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
+            let pixels: Vec<Vec2> = pixels.collect();
+            let off = pixels.iter().filter(|&&at| is_off(at)).count();
+            Some(BoneSeen {
+                joint,
+                ends: [*pixels.first()?, *pixels.last()?],
+                off: off as f32 / pixels.len() as f32,
+            })
+        });
+        let seen: Vec<BoneSeen> = seen.collect();
+        let above =
+            |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
+        let is_turned = |joint: usize| {
+            let mut own = seen.iter().filter(|bone| bone.joint == joint);
+            let mut next = seen
+                .iter()
+                .filter(|bone| joints[bone.joint].parent == Some(joint));
+            let is_short = |bone: &BoneSeen| bone.ends[0].distance(bone.ends[1]) < SHORT * size.y;
+            own.any(|bone| bone.off >= OWN) && next.all(|bone| bone.off >= NEXT || is_short(bone))
+        };
+        let turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
+        let tops: Vec<Option<usize>> = (0..joints.len())
+            .map(|joint| above(joint).filter(|&above| turned[above]).last())
+            .collect();
+        let mut own: Vec<(usize, Vec<BoneSeen>)> = Vec::new();
+        for bone in seen {
+            let Some(top) = tops[bone.joint] else {
+                continue;
+            };
+            match own.iter_mut().find(|(joint, _)| *joint == top) {
+                Some((_, bones)) => bones.push(bone),
+                None => own.push((top, vec![bone])),
+            }
+        }
+        limbs.extend(own.into_iter().map(|(joint, bones)| {
+            let name = &joints[joint].name;
+            let whose = match several {
+                true => format!("{name} of {}", shape.name),
+                false => name.clone(),
+            };
+            (whose, bones)
+        }));
+    }
+    limbs
+}

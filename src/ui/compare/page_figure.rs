@@ -1,0 +1,66 @@
+//! What is said of the figure in a screenshot of the Virtual Mannequin's page.
+
+use super::limbs::limbs;
+use super::place::{near, place};
+use super::{CompareView, PageFigure};
+use crate::compare::Area;
+use crate::editor::Session;
+
+pub(super) const AGREES: &str =
+    "The figure agrees but for its edges and what lines of bones cover.";
+
+pub(super) const DIFFERS: &str = "No single cause explains the differences. But for edges and lines of bones, the figure differs:";
+
+/// What always differs.
+const ALWAYS: &str = "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last \
+                                 bones: these always differ.";
+
+/// What to do where nothing is in its place.
+const ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where \
+                                    the page's was: Home leads to where it starts. A page with a slanted horizon cannot be \
+                                    matched, for B's camera keeps level.";
+
+/// What is said of a figure.
+pub(super) struct FigureTold {
+    /// Where it differs from that of the live view: limb by limb, or where that is not all, altogether.
+    pub places: Vec<FigurePlace>,
+    /// What to do, or to know.
+    pub hint: &'static str,
+}
+
+/// A place in which a figure differs.
+pub(super) struct FigurePlace {
+    pub told: String,
+    pub area: Area,
+}
+
+impl FigureTold {
+    pub(super) fn new(session: &Session, compare: &CompareView, figure: &PageFigure) -> Self {
+        let Some(off) = &figure.off else {
+            return Self {
+                places: Vec::new(),
+                hint: ALWAYS,
+            };
+        };
+        let limbs = limbs(session, off, compare.size());
+        if limbs.is_empty() {
+            let told = place(session, off.area, figure.area, compare.size());
+            let area = off.area;
+            return Self {
+                places: vec![FigurePlace { told, area }],
+                hint: match area.is_all_over(figure.area) {
+                    true => ELSEWHERE,
+                    false => ALWAYS,
+                },
+            };
+        }
+        let places = limbs.into_iter().map(|limb| FigurePlace {
+            told: near(&limb.name, limb.area, figure.area),
+            area: limb.area,
+        });
+        Self {
+            places: places.collect(),
+            hint: ALWAYS,
+        }
+    }
+}
