@@ -84,6 +84,7 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
             area,
             ours: page.spread(&ours_off),
             theirs: page.spread(&page_off),
+            right: ours.spread(&ours.right(&page)),
         }),
     })
 }
@@ -131,6 +132,14 @@ impl FigureIn<'_> {
             islands.push(island);
         }
         islands
+    }
+
+    /// Places in the midst of the figure where `other` has the same.
+    fn right(&self, other: &Self) -> Vec<usize> {
+        let is_right = |&at: &usize| {
+            self.is_mesh(at) && self.is_figure(at) && other.has_like(self.pixels[at], at)
+        };
+        (0..self.pixels.len()).filter(is_right).collect()
     }
 
     fn area_around(&self, places: impl Iterator<Item = usize>) -> Option<Area> {

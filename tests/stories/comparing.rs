@@ -591,6 +591,15 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     let z = Vec3::Z;
     for (turned, named) in [
         (
+            &[
+                ("forearm.R", Vec3::new(-11.2, 3.0, -89.4)),
+                ("thigh.L", Vec3::new(6.3, 1.9, -109.0)),
+            ][..],
+            &["forearm.R", "thigh.L"][..],
+        ),
+        (&[("shin.R", Vec3::X * 90.0)], &["shin.R"]),
+        (&[("head", z * 30.0)], &["head"]),
+        (
             &[("forearm.R", z * -80.0), ("thigh.L", z * 35.0)][..],
             &["forearm.R", "thigh.L"][..],
         ),

@@ -12,11 +12,9 @@ const SAMPLES: u8 = 16;
 /// middle of a limb, which is off unless the limb has hardly moved.
 const AT_BONE: f32 = 0.012;
 /// Share of a bone's line that is off where the joint before it is turned: its beginning stays where it is.
-const OWN: f32 = 0.4;
-/// The same of each bone that hangs on it, …
-const NEXT: f32 = 0.4;
-/// … unless that is shorter than this, by the picture's height: of fingers little is more than an edge.
-const SHORT: f32 = 0.025;
+const IS_OFF: f32 = 0.4;
+/// Share of a bone's line from which on it is right, so that the joint above that it hangs on is not turned.
+const IS_RIGHT: f32 = 0.5;
 /// How far from its bones a limb reaches, by the picture's height, …
 const THICK: f32 = 0.06;
 /// … and the share of what is off that limbs have to have: with less something else differs, such as the camera.
@@ -37,8 +35,9 @@ pub(super) struct Limb {
 struct BoneSeen {
     joint: usize,
     ends: [Vec2; 2],
-    /// Share of its line that is off, 0 to 1.
+    /// Shares of its line that are off and that are right, 0 to 1. Nothing is known of where the figure is thin.
     off: f32,
+    right: f32,
 }
 
 impl BoneSeen {
@@ -54,11 +53,11 @@ impl BoneSeen {
 /// `off`. None if these are not all that differs.
 pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Limb> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
-    let [ours, theirs] = [&off.ours, &off.theirs].map(|pixels| {
+    let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right].map(|pixels| {
         let pixels = pixels.iter().map(|&[x, y]| Vec2::new(x as f32, y as f32));
         pixels.collect::<Vec<Vec2>>()
     });
-    let limbs = seen_limbs(session, &ours, size);
+    let limbs = seen_limbs(session, [&ours, &right], size);
     let nearest = |pixel: Vec2| {
         let distances = limbs.iter().map(|(_, bones)| {
             let distances = bones.iter().map(|bone| bone.distance(pixel));
@@ -87,14 +86,16 @@ pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     limbs.collect()
 }
 
-/// The limbs whose bones are at pixels that are off in the live view, each with all of its bones.
-fn seen_limbs(session: &Session, ours: &[Vec2], size: Vec2) -> Vec<(String, Vec<BoneSeen>)> {
+/// The limbs whose bones are at pixels that are `off` in the live view while others are `right`, each with all of its bones.
+fn seen_limbs(
+    session: &Session,
+    [off, right]: [&[Vec2]; 2],
+    size: Vec2,
+) -> Vec<(String, Vec<BoneSeen>)> {
     let camera = &session.view().camera;
     let (scene, evaluated) = (session.scene(), session.evaluated());
-    let is_off = |at: Vec2| {
-        ours.iter()
-            .any(|pixel| pixel.distance(at) <= AT_BONE * size.y)
-    };
+    let is_among =
+        |at: Vec2, pixels: &[Vec2]| pixels.iter().any(|it| it.distance(at) <= AT_BONE * size.y);
     let characters = scene.shapes().iter().filter(|shape| shape.visible);
     let characters = characters.filter_map(|shape| Some((shape, scene.character(shape.id)?)));
     let several = characters.clone().count() > 1;
@@ -108,11 +109,16 @@ fn seen_limbs(session: &Session, ours: &[Vec2], size: Vec2) -> Vec<(String, Vec<
             let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
             let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
             let pixels: Vec<Vec2> = pixels.collect();
-            let off = pixels.iter().filter(|&&at| is_off(at)).count();
+            let ends = [*pixels.first()?, *pixels.last()?];
+            let (of_off, others): (Vec<Vec2>, Vec<Vec2>) =
+                pixels.into_iter().partition(|&at| is_among(at, off));
+            let of_right = others.iter().filter(|&&at| is_among(at, right)).count();
+            let share = |count: usize| count as f32 / (of_off.len() + others.len()) as f32;
             Some(BoneSeen {
                 joint,
-                ends: [*pixels.first()?, *pixels.last()?],
-                off: off as f32 / pixels.len() as f32,
+                ends,
+                off: share(of_off.len()),
+                right: share(of_right),
             })
         });
         let seen: Vec<BoneSeen> = seen.collect();
@@ -123,8 +129,7 @@ fn seen_limbs(session: &Session, ours: &[Vec2], size: Vec2) -> Vec<(String, Vec<
             let mut next = seen
                 .iter()
                 .filter(|bone| joints[bone.joint].parent == Some(joint));
-            let is_short = |bone: &BoneSeen| bone.ends[0].distance(bone.ends[1]) < SHORT * size.y;
-            own.any(|bone| bone.off >= OWN) && next.all(|bone| bone.off >= NEXT || is_short(bone))
+            own.any(|bone| bone.off >= IS_OFF) && next.all(|bone| bone.right < IS_RIGHT)
         };
         let turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
         let tops: Vec<Option<usize>> = (0..joints.len())

@@ -3,6 +3,7 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
+mod hints;
 mod limbs;
 mod masks;
 mod mesh_distances;
@@ -103,6 +104,8 @@ pub struct FigureOff {
     pub ours: Vec<[u32; 2]>,
     /// The same of the figure in the screenshot.
     pub theirs: Vec<[u32; 2]>,
+    /// The same of what is right in the live view.
+    pub right: Vec<[u32; 2]>,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.
