@@ -25,7 +25,7 @@ pub(super) static TRIANGLES_DIFFER: Mistake = Mistake {
 
 /// A mistake in the number of vertices, which is found beside every other one.
 pub(super) static VERTEX_TOO_MANY: Mistake = Mistake {
-    id: "vertex-too-many",
+    id: super::VERTEX_TOO_MANY,
     meaning: "there is one vertex more than the model has",
     section: MESH,
     look_at: "where the .obj file is read: a loop until eof() goes on once more after the last line, with what it has \
@@ -35,7 +35,7 @@ pub(super) static VERTEX_TOO_MANY: Mistake = Mistake {
 
 /// The same where one is missing.
 pub(super) static VERTEX_MISSING: Mistake = Mistake {
-    id: "vertex-missing",
+    id: super::VERTEX_MISSING,
     meaning: "there is one vertex fewer than the model has",
     section: MESH,
     look_at: "where vertices are read and where they are written: each loop goes from the first one, 0, to the last, which \

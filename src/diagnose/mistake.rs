@@ -51,6 +51,10 @@ pub const POSE_NOT_APPLIED: &str = "pose-not-applied";
 /// Name of the mistake that a mesh is moved, turned or scaled as a whole, which grading also counts of one that is right but
 /// for that.
 pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
+/// Name of the mistake that there is one vertex fewer than the model has.
+pub const VERTEX_MISSING: &str = "vertex-missing";
+/// Name of the mistake that there is one more.
+pub const VERTEX_TOO_MANY: &str = "vertex-too-many";
 /// Name of the mistake that a picture is upside down or mirrored.
 pub const PICTURE_TURNED: &str = "picture-turned";
 

@@ -53,7 +53,10 @@ pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};
-pub use mistake::{MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading};
+pub use mistake::{
+    MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading, VERTEX_MISSING,
+    VERTEX_TOO_MANY,
+};
 pub use mistaken::{MistakenMesh, skin_after, skin_by};
 pub use mistakes::MISTAKES;
 pub use nearest::Nearest;

@@ -100,6 +100,17 @@ impl Graded {
         )
     }
 
+    /// The same, where it is known to be what the mistakes `ids` give in another test.
+    pub(super) fn of_other_test_with(self, name: &str, ids: &str) -> Self {
+        self.posed_by_other(
+            format!(
+                "another test: this is the result of {name}, with {ids}, so that the file may have the wrong name, or \
+                 the program may read that pose for every test"
+            ),
+            format!("the result of {name}, with {ids}"),
+        )
+    }
+
     /// The same, where it is known to be the exact result in the pose of another test, of another character.
     pub(super) fn in_pose_of_other_test(self, name: &str) -> Self {
         self.posed_by_other(

@@ -2,7 +2,9 @@
 
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use crate::diagnose::{MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED};
+use crate::diagnose::{
+    MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, VERTEX_MISSING, VERTEX_TOO_MANY,
+};
 use crate::io::{
     OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
 };
@@ -19,6 +21,8 @@ pub(super) const MOSTLY_POSED: f64 = 0.5;
 /// mistake in skinning.
 const LEFT_BY_LITTLE: &[(&str, f64)] = &[
     (RIGHT_BUT_FOR_FEW, 0.9),
+    (VERTEX_MISSING, 0.9),
+    (VERTEX_TOO_MANY, 0.9),
     (RIGHT_BUT_FOR_DIGITS, 0.9),
     (MOVED_AS_A_WHOLE, 0.75),
     (PICTURE_TURNED, 0.75),
@@ -329,6 +333,11 @@ pub(super) mod tests {
             agrees,
             ..Graded::without(Outcome::Unexplained, "")
         };
+        // One vertex too few is as little.
+        assert_eq!(
+            given(TWO, &explained(&[&["vertex-missing"]]), &rubric),
+            [6.0, 9.0]
+        );
         let few = nearly(&["right-but-for-few"], 0.998);
         assert_eq!(given(TWO, &few, &rubric), [6.0, 9.0]);
         let told = why(&test(TWO), &few, &rubric);

@@ -1,6 +1,6 @@
 //! Files that several mistakes give alike: the other meshes of the submission tell which of them it makes.
 
-use super::graded::Graded;
+use super::graded::{Graded, Outcome};
 use super::rubric::points_left;
 use crate::diagnose::POSE_NOT_APPLIED;
 use crate::io::{TestData, TestKind, TestsFile};
@@ -25,6 +25,23 @@ pub(super) fn settle(file: &TestsFile, graded: &mut [Graded]) {
     settle_by_most(&mut meshes, "meshes", file);
     let mut undecided = settle_by_meshes(pictures, &meshes);
     settle_by_most(&mut undecided, "pictures", file);
+    for (test, picture) in &mut undecided {
+        let is_of_pose = |mesh: &&(&TestData, &mut Graded)| {
+            mesh.0.character.path == test.character.path && mesh.0.pose.path == test.pose.path
+        };
+        let mesh = meshes
+            .iter()
+            .find(is_of_pose)
+            .map(|(mesh, graded)| (&mesh.name, &graded.causes));
+        if let (Outcome::Unexplained, Some((name, causes))) = (picture.outcome, mesh)
+            && let Some(ids) = causes.first()
+        {
+            let ids = ids.join(" + ");
+            picture.text += &format!(
+                "\n  mesh     {name}.obj, of the same pose, is {ids}: the picture may show that mesh"
+            );
+        }
+    }
 }
 
 /// Brings forward the explanation that most of `results` have, all of which are of the same `kind`.
@@ -182,6 +199,24 @@ mod tests {
         let counted = "told\n  counted  as y, which gives other pictures of the submission as well";
         assert_eq!((&*first.causes[0][0], &*first.text), ("y", counted));
         assert_eq!((&*second.causes[0][0], &*second.text), ("y", "told"));
+    }
+
+    #[test]
+    fn beside_a_picture_that_nothing_explains_it_is_said_what_the_mesh_of_its_pose_is() {
+        let row = r#""character": "builtin:robot", "points": {"3.4": 1}"#;
+        let picture = r#""kind": "picture", "camera": [80, 10, 3]"#;
+        let text = format!(
+            r#"{{"tests": [{{"name": "a", {row}, "pose": "builtin:robot-greet"}},
+                {{"name": "b", {row}, "pose": "builtin:robot-greet", {picture}}},
+                {{"name": "c", {row}, "pose": "builtin:robot-run", {picture}}}]}}"#
+        );
+        let file = TestsFile::read(Path::new("tests.json"), text.as_bytes()).unwrap();
+        let unexplained = || Graded::without(Outcome::Unexplained, "told");
+        let mut all = [graded(&[&["x", "y"]]), unexplained(), unexplained()];
+        settle(&file, &mut all);
+        let told =
+            "told\n  mesh     a.obj, of the same pose, is x + y: the picture may show that mesh";
+        assert_eq!(all.map(|graded| graded.text), ["told", told, "told"]);
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub(super) const STYLE: &str = r#":root {
 }
 * { box-sizing: border-box; }
 body {
-  margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 76rem; background: var(--paper); color: var(--ink);
+  margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 88rem; background: var(--paper); color: var(--ink);
   font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif;
 }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 .3rem; }
@@ -32,6 +32,9 @@ th { font-weight: 600; font-size: .85rem; color: var(--dim); white-space: nowrap
 th.number { text-align: right; }
 tbody tr:last-child td { border-bottom: 0; }
 code { font: .92em ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
+.class th.number { white-space: normal; }
+.class .name { min-width: 9rem; overflow-wrap: anywhere; }
+.class .result { min-width: 18rem; }
 .bar { display: block; height: .5rem; margin-top: .45rem; border-radius: 2px; background: var(--bar); }
 .of { display: block; width: 9rem; border-radius: 2px; background: var(--none-soft); margin-top: .45rem; }
 .of .bar { margin: 0; }

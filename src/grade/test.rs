@@ -165,6 +165,14 @@ impl Test {
                     true => self.or_of_kept(found, &theirs, tests),
                     false => found,
                 };
+                let with_mistakes = match found.verdict {
+                    Verdict::OtherPose | Verdict::Unexplained
+                        if of_other.or(in_pose_of).is_none() =>
+                    {
+                        self.other_with_mistakes(tests, &found, &theirs)
+                    }
+                    _ => None,
+                };
                 let mut graded = self.diagnosed_mesh(&found, &theirs);
                 if let Some(no_numbers) = &no_numbers {
                     let found = no_numbers.put_back_into(&found);
@@ -184,7 +192,12 @@ impl Test {
                 match (of_other, in_pose_of) {
                     (Some(test), _) => graded.of_other_test(&test.data.name),
                     (None, Some(test)) => graded.in_pose_of_other_test(&test.data.name),
-                    (None, None) => graded,
+                    (None, None) => match with_mistakes {
+                        Some((test, ids)) => {
+                            graded.of_other_test_with(&test.data.name, &ids.join(" and "))
+                        }
+                        None => graded,
+                    },
                 }
             }
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),

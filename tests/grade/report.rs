@@ -194,6 +194,33 @@ fn files_that_are_swapped_between_tests_are_said_to_be_and_told_anew_when_tests_
 }
 
 #[test]
+fn a_file_of_another_test_with_a_mistake_besides_is_said_to_be_that() {
+    let class = Class::new(&["robot", "robot", "dog"]);
+    for (student, ids) in [("ann", "euler-zyx"), ("bob", "no-inverse-bind")] {
+        class.submit(student, &with(&[ids]), |number| number.to_string());
+        let first = class.read(&format!("class/{student}/robot-1.obj"));
+        class.write(&format!("class/{student}/robot-2.obj"), first);
+    }
+    let report = class.graded();
+    for (student, ids) in [("ann", "euler-zyx"), ("bob", "no-inverse-bind")] {
+        let found = result(&report, student, "robot-2");
+        let of_first = format!("the result of robot-1, with {ids}");
+        assert_eq!(
+            (&found["outcome"], &found["hint"]),
+            (&json!("other-pose"), &json!(of_first)),
+            "{found}"
+        );
+        let text = found["text"].as_str().unwrap();
+        assert!(
+            text.starts_with(&format!("another test: this is {of_first}, so that ")),
+            "{text}"
+        );
+        let right = result(&report, student, "robot-1");
+        assert_eq!(right["causes"], json!([[ids]]), "{right}");
+    }
+}
+
+#[test]
 fn results_that_are_skinned_instead_of_the_mesh_at_rest_are_named_with_their_tests() {
     let mut class = Class::new(&["robot", "robot", "robot"]);
     let right = with(&[]);

@@ -11,7 +11,7 @@ const LABEL: usize = 11;
 impl Page {
     pub(super) fn submissions(&mut self, report: &Report) {
         self.add(format_args!(
-            "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Submission</th>\
+            "<h2>Submissions</h2>\n<div class=\"wide\"><table class=\"class\">\n<thead><tr><th>Submission</th>\
              <th class=\"number\">Points</th>"
         ));
         for section in &report.sections {
@@ -21,10 +21,12 @@ impl Page {
                 section.possible
             ));
         }
-        self.add(format_args!("<th>Result</th></tr></thead>\n<tbody>\n"));
+        self.add(format_args!(
+            "<th class=\"result\">Result</th></tr></thead>\n<tbody>\n"
+        ));
         for (number, submission) in report.submissions.iter().enumerate() {
             self.add(format_args!(
-                "<tr><td><a href=\"#s{number}\">{}</a></td><td class=\"number\">{} <span class=\"dim\">of {}</span></td>",
+                "<tr><td class=\"name\"><a href=\"#s{number}\">{}</a></td><td class=\"number\">{} <span class=\"dim\">of {}</span></td>",
                 Escaped(&submission.name),
                 submission.points,
                 submission.graded()

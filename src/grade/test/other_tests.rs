@@ -1,9 +1,10 @@
 //! What a file has to do with the other tests: it may be a result of one of them, or keep something of it.
 
 use super::super::kept::{self, Posed};
+use super::super::rubric::MOSTLY_POSED;
 use super::Test;
 use crate::character::Pose;
-use crate::diagnose::{Diagnosis, measure};
+use crate::diagnose::{Diagnosis, Verdict, diagnose, measure};
 use crate::geometry::Mesh;
 
 impl Test {
@@ -48,6 +49,26 @@ impl Test {
     ) -> Option<&'a Self> {
         let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
         others.find(|test| is_of(test))
+    }
+
+    /// Another one of `tests` that a mesh is what mistakes give in, and the names of these; where it is mostly right in its
+    /// own test it is not.
+    pub(super) fn other_with_mistakes<'a>(
+        &self,
+        tests: &'a [Self],
+        found: &Diagnosis,
+        theirs: &Mesh,
+    ) -> Option<(&'a Self, Vec<&'static str>)> {
+        let own = found.other_pose.as_ref();
+        let is_mostly_posed = own.is_some_and(|other| other.as_expected > MOSTLY_POSED);
+        if is_mostly_posed || found.nearly_right().is_some() {
+            return None;
+        }
+        let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
+        others.find_map(|test| {
+            let found = diagnose(&test.character, &test.pose, theirs).ok()?;
+            (found.verdict == Verdict::Explained).then(|| (test, found.together()))
+        })
     }
 
     fn posed(&self) -> Posed<'_> {
