@@ -68,6 +68,8 @@ pub struct Graded {
     /// ([`OtherPose::as_expected`](crate::diagnose::OtherPose::as_expected)); 0 without another pose, and where that is the
     /// one of another test.
     pub posed: f64,
+    /// Of a picture that nothing explains, the test whose mesh of the submission it shows, by name.
+    pub shows: Option<String>,
     /// A PNG that shows what is off, as Base64.
     pub picture: Option<String>,
 }
@@ -84,12 +86,31 @@ impl Graded {
             error: None,
             agrees: 0.0,
             posed: 0.0,
+            shows: None,
             picture: None,
         }
     }
 }
 
 impl Graded {
+    /// The same, where it is a picture of the mesh of the test `name` in the submission, which has the result `mesh`.
+    pub(super) fn showing(self, name: &str, mesh: &Self) -> Self {
+        let shown = format!("it shows {name}.obj of the submission");
+        if mesh.outcome == Outcome::Unexplained {
+            return Self {
+                text: format!("{shown}, which nothing explains either\n{}", self.text),
+                ..self
+            };
+        }
+        Self {
+            text: format!("{shown}:\n{}", mesh.text),
+            picture: self.picture,
+            error: self.error,
+            shows: self.shows,
+            ..mesh.clone()
+        }
+    }
+
     /// The same, where it is known to be the exact result of another test.
     pub(super) fn of_other_test(self, name: &str) -> Self {
         self.posed_by_other(

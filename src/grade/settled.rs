@@ -1,6 +1,6 @@
 //! Files that several mistakes give alike: the other meshes of the submission tell which of them it makes.
 
-use super::graded::{Graded, Outcome};
+use super::graded::Graded;
 use super::rubric::points_left;
 use crate::diagnose::POSE_NOT_APPLIED;
 use crate::io::{TestData, TestKind, TestsFile};
@@ -20,28 +20,18 @@ struct Given {
 /// pictures have. `graded` has the results of the tests of `file`, in their order.
 pub(super) fn settle(file: &TestsFile, graded: &mut [Graded]) {
     let all = file.tests.iter().zip(graded);
-    let (mut meshes, pictures): (Vec<_>, Vec<_>) =
+    let (mut meshes, mut pictures): (Vec<_>, Vec<_>) =
         all.partition(|(test, _)| test.kind == TestKind::Mesh);
     settle_by_most(&mut meshes, "meshes", file);
-    let mut undecided = settle_by_meshes(pictures, &meshes);
-    settle_by_most(&mut undecided, "pictures", file);
-    for (test, picture) in &mut undecided {
-        let is_of_pose = |mesh: &&(&TestData, &mut Graded)| {
-            mesh.0.character.path == test.character.path && mesh.0.pose.path == test.pose.path
-        };
-        let mesh = meshes
-            .iter()
-            .find(is_of_pose)
-            .map(|(mesh, graded)| (&mesh.name, &graded.causes));
-        if let (Outcome::Unexplained, Some((name, causes))) = (picture.outcome, mesh)
-            && let Some(ids) = causes.first()
-        {
-            let ids = ids.join(" + ");
-            picture.text += &format!(
-                "\n  mesh     {name}.obj, of the same pose, is {ids}: the picture may show that mesh"
-            );
+    for (_, picture) in &mut pictures {
+        let shown = picture.shows.clone();
+        let mut all = meshes.iter();
+        if let Some((mesh, graded)) = all.find(|(mesh, _)| shown.as_ref() == Some(&mesh.name)) {
+            **picture = picture.clone().showing(&mesh.name, graded);
         }
     }
+    let mut undecided = settle_by_meshes(pictures, &meshes);
+    settle_by_most(&mut undecided, "pictures", file);
 }
 
 /// Brings forward the explanation that most of `results` have, all of which are of the same `kind`.
@@ -202,21 +192,43 @@ mod tests {
     }
 
     #[test]
-    fn beside_a_picture_that_nothing_explains_it_is_said_what_the_mesh_of_its_pose_is() {
-        let row = r#""character": "builtin:robot", "points": {"3.4": 1}"#;
+    fn a_picture_that_shows_a_mesh_of_the_submission_counts_as_that() {
+        let row =
+            r#""character": "builtin:robot", "pose": "builtin:robot-greet", "points": {"3.4": 1}"#;
         let picture = r#""kind": "picture", "camera": [80, 10, 3]"#;
-        let text = format!(
-            r#"{{"tests": [{{"name": "a", {row}, "pose": "builtin:robot-greet"}},
-                {{"name": "b", {row}, "pose": "builtin:robot-greet", {picture}}},
-                {{"name": "c", {row}, "pose": "builtin:robot-run", {picture}}}]}}"#
-        );
+        let text =
+            format!(r#"{{"tests": [{{"name": "a", {row}}}, {{"name": "b", {row}, {picture}}}]}}"#);
         let file = TestsFile::read(Path::new("tests.json"), text.as_bytes()).unwrap();
-        let unexplained = || Graded::without(Outcome::Unexplained, "told");
-        let mut all = [graded(&[&["x", "y"]]), unexplained(), unexplained()];
-        settle(&file, &mut all);
+        let settled = |mesh: Graded, shows: Option<&str>| {
+            let picture = Graded {
+                shows: shows.map(str::to_owned),
+                ..Graded::without(Outcome::Unexplained, "of the picture")
+            };
+            let mut both = [mesh, picture];
+            settle(&file, &mut both);
+            let [_, picture] = both;
+            (
+                picture.outcome,
+                picture.causes.concat().join(" "),
+                picture.text,
+            )
+        };
+        let explained = graded(&[&["x", "y"]]);
+        let told = "it shows a.obj of the submission:\ntold".to_owned();
+        assert_eq!(
+            settled(explained.clone(), Some("a")),
+            (Outcome::Explained, "x y".to_owned(), told)
+        );
+        let own = (
+            Outcome::Unexplained,
+            String::new(),
+            "of the picture".to_owned(),
+        );
+        assert_eq!(settled(explained, None), own);
+        let unexplained = Graded::without(Outcome::Unexplained, "of the mesh");
         let told =
-            "told\n  mesh     a.obj, of the same pose, is x + y: the picture may show that mesh";
-        assert_eq!(all.map(|graded| graded.text), ["told", told, "told"]);
+            "it shows a.obj of the submission, which nothing explains either\nof the picture";
+        assert_eq!(settled(unexplained, Some("a")).2, told);
     }
 
     #[test]

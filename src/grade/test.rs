@@ -1,6 +1,7 @@
 //! One test: a character in a pose, and what a file of it is.
 
 mod other_tests;
+mod shown_mesh;
 
 use super::found::{explanations, hint, nearly, outcome};
 use super::graded::{Graded, Outcome, rounded};
@@ -242,6 +243,7 @@ impl Test {
                 .unwrap_or(0.0),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
+            shows: None,
             picture: if is_right { None } else { drawn() },
         }
     }
@@ -299,6 +301,7 @@ impl Test {
             },
             posed: 0.0,
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
+            shows: None,
             picture: if found.verdict == Verdict::Right {
                 None
             } else {

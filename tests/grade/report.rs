@@ -1,13 +1,13 @@
 //! What an instructor gets: rows, a table, and a page that needs nothing else.
 
 use crate::diagnose::figures::{Figure, obj, turned};
-use crate::diagnose::student::with;
+use crate::diagnose::student::{Student, with};
 use crate::grade::support::{Class, result};
 use crate::program::editor_in;
 use editor_core::character::skinning::skin_positions;
 use editor_core::math::Euler;
 use glam::{EulerRot, Mat3, Mat4, Vec3};
-use serde_json::json;
+use serde_json::{Value, json};
 
 fn class() -> Class {
     let class = Class::new(&["robot", "dog"]);
@@ -858,4 +858,59 @@ fn pictures_that_are_swapped_between_tests_are_said_to_be_and_what_is_no_number_
         assert_eq!(found["outcome"], "other-pose", "{found}");
         assert_eq!(found["hint"], format!("the result of {other}"));
     }
+}
+
+#[test]
+fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follows_it() {
+    let class = Class::new(&["adult"]);
+    let mut tests = class.tests_file();
+    let mut picture = tests["tests"][0].clone();
+    picture["name"] = "side".into();
+    picture["kind"] = "picture".into();
+    picture["camera"] = json!([80, 10, 3]);
+    picture["size"] = json!([400, 300]);
+    tests["tests"].as_array_mut().unwrap().push(picture);
+    class.set_tests(&tests);
+    let figure = &class.tests[0].1;
+    // No picture tells which joints have each other's weights.
+    let exchanged = Student {
+        joint_of_column: |column| match column + 1 {
+            13 => 14,
+            14 => 13,
+            joint => joint,
+        },
+        ..with(&[])
+    };
+    let text = obj(&exchanged.skin(figure), figure, |number| number.to_string());
+    for name in ["ann", "bob"] {
+        let [mesh, picture] = ["adult-1.obj", "side.png"].map(|it| format!("class/{name}/{it}"));
+        class.write(&mesh, &text);
+        let words = [
+            "render", &mesh, "--camera", "80,10,3", "--size", "400x300", "-o", &picture,
+        ];
+        let ran = editor_in(class.path(), &words);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+    }
+    // Another mesh is none that this picture shows.
+    class.submit("bob", &with(&["no-inverse-bind"]), |number| {
+        number.to_string()
+    });
+    let told = |report: &Value, name: &str| {
+        let found = result(report, name, "side");
+        let text = found["text"].as_str().unwrap().to_owned();
+        (found["outcome"].clone(), text)
+    };
+    let report = class.graded();
+    let (outcome, text) = told(&report, "ann");
+    let shows = "it shows adult-1.obj of the submission:\nweights-exchanged: ";
+    assert!(outcome == "explained" && text.starts_with(shows), "{text}");
+    let (outcome, text) = told(&report, "bob");
+    assert!(
+        outcome == "unexplained" && !text.contains("it shows"),
+        "{text}"
+    );
+    // Handed in anew, the mesh is the one.
+    class.write("class/bob/adult-1.obj", class.read("class/ann/adult-1.obj"));
+    let (outcome, text) = told(&class.graded(), "bob");
+    assert!(outcome == "explained" && text.starts_with(shows), "{text}");
 }

@@ -178,14 +178,33 @@ impl Work<'_> {
             missing(&submission.folder, &name, &others)
         };
         let read = read(&submission.folder.join(&name), &name, missing);
-        let file = match &read {
+        let mut file = match &read {
             Ok(bytes) => fingerprint(bytes),
             Err(graded) => graded.text.clone(),
         };
+        // A picture may show the mesh that is handed in beside it.
+        let mesh = test.mesh_test(self.tests).map(Test::file_name);
+        let mesh = mesh.and_then(|name| {
+            let nothing = || String::new();
+            self::read(&submission.folder.join(&name), &name, nothing).ok()
+        });
+        file.extend(mesh.iter().map(|bytes| format!("-{}", fingerprint(bytes))));
         if let Some(known) = known.filter(|known| self.holds(known, test, &file)) {
             return known.clone();
         }
-        let graded = read.map_or_else(|graded| *graded, |bytes| test.grade(&bytes, self.tests));
+        let graded = match read {
+            Ok(bytes) => {
+                let graded = test.grade(&bytes, self.tests);
+                let is_open = graded.outcome == Outcome::Unexplained;
+                let shown = mesh.filter(|mesh| is_open && test.shows(&bytes, mesh));
+                let mesh = shown.and(test.mesh_test(self.tests));
+                Graded {
+                    shows: mesh.map(|mesh| mesh.data().name.clone()),
+                    ..graded
+                }
+            }
+            Err(graded) => *graded,
+        };
         KeptResult {
             key: self.key(test, &file, &graded),
             graded,
