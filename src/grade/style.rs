@@ -33,6 +33,7 @@ th.number { text-align: right; }
 tbody tr:last-child td { border-bottom: 0; }
 code { font: .92em ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
 .class th.number { white-space: normal; }
+.class th .dim { white-space: nowrap; }
 .class .name { min-width: 9rem; overflow-wrap: anywhere; }
 .class .result { min-width: 18rem; }
 .bar { display: block; height: .5rem; margin-top: .45rem; border-radius: 2px; background: var(--bar); }
