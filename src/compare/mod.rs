@@ -33,6 +33,7 @@ pub use mesh::{
 pub(crate) use mesh::{nearest_rotation, placement};
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
+pub use place::about;
 pub use rules::sentence;
 
 /// Why two things cannot be compared at all.

@@ -51,6 +51,14 @@ fn extent(counts: &[u32]) -> Option<(u32, u32)> {
     Some((first as u32, (last - first + 1) as u32))
 }
 
+/// A part in words: `about 3 %`.
+pub fn about(percent: f64) -> String {
+    match percent {
+        percent if percent < 1.0 => "less than 1 %".to_owned(),
+        percent => format!("about {:.0} %", percent.min(100.0)),
+    }
+}
+
 impl Area {
     /// Whether it covers most of the area `figure`, in both directions.
     pub fn is_all_over(&self, figure: Area) -> bool {
@@ -61,11 +69,7 @@ impl Area {
     /// Size of the area by that of `figure`, in words: `about 3 %`.
     pub fn part_of(&self, figure: Area) -> String {
         let pixels = |area: &Area| f64::from(area.width) * f64::from(area.height);
-        let percent = 100.0 * pixels(self) / pixels(&figure).max(1.0);
-        match percent {
-            percent if percent < 1.0 => "less than 1 %".to_owned(),
-            percent => format!("about {:.0} %", percent.min(100.0)),
-        }
+        about(100.0 * pixels(self) / pixels(&figure).max(1.0))
     }
 
     /// Where the area lies in `figure`, the area round all that is drawn, in words: `at the top left

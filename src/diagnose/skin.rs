@@ -39,11 +39,10 @@ impl Metric {
     fn between(self, one: DVec3, other: DVec3) -> f64 {
         match self {
             Self::Straight => one.distance(other),
-            Self::ByCoordinate => (one - other)
-                .to_array()
-                .into_iter()
-                .map(f64::abs)
-                .fold(0.0, |most, apart| if apart <= most { most } else { apart }),
+            Self::ByCoordinate => match one - other {
+                apart if apart.is_nan() => f64::NAN,
+                apart => apart.abs().max_element(),
+            },
         }
     }
 }

@@ -54,7 +54,7 @@ impl Miscount {
     /// The character without the vertex that is missing; `None` if none is.
     pub(super) fn lacking(self, character: &Character) -> Option<Character> {
         let bind = character.bind_mesh();
-        let last = bind.positions.len() - 1;
+        let last = bind.positions.len().saturating_sub(1);
         let kept: Range<usize> = match self {
             Self::AfterLast | Self::BeforeFirst => return None,
             Self::WithoutLast => 0..last,

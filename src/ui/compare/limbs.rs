@@ -23,12 +23,14 @@ const EXPLAINED: f32 = 0.9;
 const MOST: usize = 6;
 
 /// A limb that differs: what a joint turns.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Limb {
     /// Name of the joint, with the character's if there are several.
     pub name: String,
     /// The area round what is off of it in either picture.
     pub area: Area,
+    /// Share of the figure that this is, in percent.
+    pub percent: f64,
 }
 
 /// A bone in the picture.
@@ -72,6 +74,8 @@ pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     if limbs.len() > MOST || explained < EXPLAINED * ours.len() as f32 {
         return Vec::new();
     }
+    // The figure is as large in both pictures.
+    let of_both = 2.0 * (ours.len() + right.len()) as f64;
     let mut pixels = vec![Vec::new(); limbs.len()];
     for &pixel in ours.iter().chain(&theirs) {
         if let Some((limb, _)) = nearest(pixel) {
@@ -80,8 +84,13 @@ pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     }
     let limbs = limbs.into_iter().zip(pixels);
     let limbs = limbs.filter_map(|((name, _), pixels)| {
+        let percent = 100.0 * pixels.len() as f64 / of_both;
         let area = Area::around(pixels)?;
-        Some(Limb { name, area })
+        Some(Limb {
+            name,
+            area,
+            percent,
+        })
     });
     limbs.collect()
 }
@@ -129,7 +138,8 @@ fn seen_limbs(
             let mut next = seen
                 .iter()
                 .filter(|bone| joints[bone.joint].parent == Some(joint));
-            own.any(|bone| bone.off >= IS_OFF) && next.all(|bone| bone.right < IS_RIGHT)
+            own.any(|bone| bone.off >= IS_OFF && bone.off > bone.right)
+                && next.all(|bone| bone.right < IS_RIGHT)
         };
         let turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
         let tops: Vec<Option<usize>> = (0..joints.len())

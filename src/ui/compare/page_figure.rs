@@ -3,7 +3,7 @@
 use super::limbs::limbs;
 use super::place::{near, place};
 use super::{CompareView, PageFigure};
-use crate::compare::Area;
+use crate::compare::{Area, about};
 use crate::editor::Session;
 
 pub(super) const AGREES: &str =
@@ -55,7 +55,7 @@ impl FigureTold {
             };
         }
         let places = limbs.into_iter().map(|limb| FigurePlace {
-            told: near(&limb.name, limb.area, figure.area),
+            told: near(&limb.name, &about(limb.percent)),
             area: limb.area,
         });
         Self {

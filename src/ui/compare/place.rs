@@ -20,14 +20,13 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
         nearest_joint(session, area, size)
     };
     match joint {
-        Some(joint) => near(&joint, area, figure),
+        Some(joint) => near(&joint, &area.part_of(figure)),
         None => sentence(&area.place_in(figure)),
     }
 }
 
-/// Sentence about where `area` of `figure` is that is near `joint`.
-pub(super) fn near(joint: &str, area: Area, figure: Area) -> String {
-    let part = area.part_of(figure);
+/// Sentence about what is near `joint`, which is such a `part` of the figure in words.
+pub(super) fn near(joint: &str, part: &str) -> String {
     sentence(&format!("near {joint}, in {part} of the figure"))
 }
 
