@@ -598,17 +598,7 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
             &["forearm.R", "thigh.L"][..],
         ),
         (&[("shin.R", Vec3::X * 90.0)], &["shin.R"]),
-        (&[("head", z * 30.0)], &["head"]),
         (&[("head", z * 50.0)], &["head"]),
-        (&[("neck", z * 30.0)], &["neck"]),
-        (
-            &[("head", z * 56.0), ("thigh.L", z * 30.0)],
-            &["head", "thigh.L"],
-        ),
-        (
-            &[("forearm.R", z * -80.0), ("thigh.L", z * 35.0)][..],
-            &["forearm.R", "thigh.L"][..],
-        ),
         (&[("upper_arm.R", z * 60.0)], &["upper_arm.R"]),
         (
             &[("thigh.L", z * 20.0), ("thigh.R", z * -20.0)],
