@@ -122,7 +122,7 @@ pub static ANGLES_KEPT: Mistake = Mistake {
 /// A mistake in how weights are read, which changes all rows.
 pub(super) static WEIGHT_ROWS_DRIFT: Mistake = Mistake {
     id: "weight-rows-drift",
-    meaning: "rows of weights are read with a number for every joint, so that each begins later than the one before",
+    meaning: "rows of weights are read with one number too many or too few, so that they drift from vertex to vertex",
     section: SSD,
     look_at: "where the .attach file is read: a row has a number for each joint but the root",
     readings: &[],

@@ -5,6 +5,7 @@
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
+mod drifting_rows;
 mod faces;
 mod findings;
 mod formula;

@@ -1,14 +1,12 @@
 //! Mistakes of a whole program, which are sought by themselves first.
 
-use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET, WEIGHT_ROWS_DRIFT};
+use super::drifting_rows;
+use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
-use super::model::Model;
 use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
 use super::small_weights;
-use crate::character::{Attachments, Character, Influence};
-use crate::geometry::Mesh;
 use crate::steps::Pace;
 use glam::DVec3;
 
@@ -18,8 +16,6 @@ const FACTORS: [f64; 3] = [1.0, 2.0, 0.5];
 const STEPS: usize = 12;
 /// By how much a factor is changed to see what that moves.
 const A_LITTLE: f64 = 1e-4;
-/// Numbers of the largest weights of which it is tried whether they were read as other rows.
-const MOST_NUMBERS: usize = 1 << 25;
 /// What single precision and six digits are off by in a sum over all vertices, by the largest that it ever is.
 const ROUNDING_OF_SUMS: f64 = 1e-5;
 
@@ -48,7 +44,7 @@ pub(super) async fn find(
         found.extend(sum_not_reset(alone, pace).await);
     }
     if found.is_empty() {
-        found.extend(drifting_rows(alone, pace).await);
+        found.extend(drifting_rows::find(alone, pace).await);
     }
     found
 }
@@ -125,45 +121,4 @@ async fn sum_not_reset(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation
         error,
         how: Some("from vertex to vertex".to_owned()),
     })
-}
-
-/// That the numbers of the weights are read as rows of one number more than they are.
-async fn drifting_rows(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
-    if alone.has_many_joints() {
-        return None;
-    }
-    let drifting = drifting(alone.search.model.character)?;
-    let model = Model::new(&drifting);
-    let mut skinner = Skinner::new(&model, alone.search.pose, &alone.formula());
-    let made = vec![Made::by_numbers(&WEIGHT_ROWS_DRIFT)];
-    (alone.search).explained_by(&mut skinner, made, pace).await
-}
-
-/// The character with the weights that come of it: the rows, which have none for the root, one after the other are cut
-/// into rows that have one, and zeros follow them.
-fn drifting(character: &Character) -> Option<Character> {
-    let joints = character.skeleton().joints().len();
-    let (rows, columns) = (character.attachments(), joints.checked_sub(1)?);
-    let count = rows.vertex_count() * columns;
-    if count > MOST_NUMBERS {
-        return None;
-    }
-    let mut numbers = vec![0.0; count];
-    for (row, influences) in rows.vertices().enumerate() {
-        for influence in influences {
-            let column = (influence.joint as usize).checked_sub(1)?;
-            numbers[row * columns + column] = influence.weight;
-        }
-    }
-    let mut drifting = Attachments::new();
-    for row in 0..rows.vertex_count() {
-        let at = numbers.len().min(row * joints);
-        let end = numbers.len().min(at + joints);
-        let influences = (0..).zip(&numbers[at..end]);
-        let weighted = influences.filter(|(_, weight)| **weight != 0.0);
-        drifting.push_vertex(weighted.map(|(joint, &weight)| Influence { joint, weight }));
-    }
-    let bind = character.bind_mesh();
-    let mesh = Mesh::new(bind.positions.clone(), bind.triangles.clone());
-    Character::new(character.skeleton().clone(), drifting, mesh).ok()
 }

@@ -145,19 +145,72 @@ fn a_sum_that_goes_on_from_vertex_to_vertex_is_named() {
     assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
 }
 
+/// The numbers of all rows, in rows of `wide` ones, where `after` gives what follows the last number.
+fn cut_anew(rows: &[Vec<f32>], wide: usize, after: fn(f32) -> f32) -> Vec<Vec<f32>> {
+    let mut numbers = rows.iter().flatten().copied();
+    let mut last = 0.0;
+    let mut next = || {
+        last = numbers.next().unwrap_or_else(|| after(last));
+        last
+    };
+    let row = |_| (0..wide).map(|_| next()).collect();
+    (0..rows.len()).map(row).collect()
+}
+
 #[test]
 fn weights_that_are_read_as_rows_with_a_number_for_the_root_are_named() {
-    let drifting = Student {
-        rows: |rows| {
-            let wide = rows[0].len() + 1;
-            let mut numbers = rows.iter().flatten().copied();
-            let row = |_| (0..wide).map(|_| numbers.next().unwrap_or(0.0)).collect();
-            (0..rows.len()).map(row).collect()
-        },
+    let wide = |rows: &[Vec<f32>]| cut_anew(rows, rows[0].len() + 1, |_| 0.0);
+    let for_every_joint = Student {
+        rows: wide,
         joint_of_column: |column| column,
         ..RIGHT
     };
-    assert_named(&of(&drifting, 68), "weight-rows-drift", "");
+    let how = "18 numbers a row, the first for the root";
+    assert_named(&of(&for_every_joint, 68), "weight-rows-drift", how);
+
+    let without_root = Student {
+        weights: |mut weights| {
+            weights.retain(|(joint, _)| *joint != 0);
+            weights
+        },
+        ..for_every_joint
+    };
+    let how = "18 numbers a row, the first for the root, which the sum leaves out";
+    assert_named(&of(&without_root, 68), "weight-rows-drift", how);
+
+    let summed_as_in_the_file = Student {
+        rows: wide,
+        ..RIGHT
+    };
+    let how = "18 numbers a row, the first for the joint after the root";
+    assert_named(&of(&summed_as_in_the_file, 68), "weight-rows-drift", how);
+}
+
+#[test]
+fn weights_that_are_read_as_rows_with_a_number_too_few_are_named() {
+    let narrow = Student {
+        rows: |rows| cut_anew(rows, rows[0].len() - 1, |_| 0.0),
+        ..RIGHT
+    };
+    assert_named(&of(&narrow, 68), "weight-rows-drift", "16 numbers a row");
+}
+
+#[test]
+fn the_last_number_may_be_read_again_after_the_end_of_the_weights() {
+    let figure = Figure::builtin("adult", turned(68));
+    let mut rows = figure.rows.clone();
+    let last = rows.last_mut().unwrap();
+    last.fill(0.0);
+    *last.last_mut().unwrap() = 1.0;
+    let figure = figure.with_rows(rows);
+    let again = Student {
+        rows: |rows| cut_anew(rows, rows[0].len() + 1, |last| last),
+        joint_of_column: |column| column,
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&again.skin(&figure), 6));
+    let how = "18 numbers a row, the first for the root";
+    assert_named(&found, "weight-rows-drift", how);
 }
 
 #[test]
