@@ -17,7 +17,7 @@
 
 CARGO ?= cargo
 
-.PHONY: all editor run test test-long bench check-assets lint pictures submission web serve web-package \
+.PHONY: all editor run test test-stories test-others test-long bench check-assets lint pictures submission web serve web-package \
 	test-web clean packages-run packages-test
 
 all: editor
@@ -35,8 +35,17 @@ run: packages-run editor
 		echo "There is no display, so the showcase was drawn to showcase.png."; \
 	fi
 
+# Within a process only one thread has a context at a time, so the stories, nearly all of which draw, have a process of
+# their own.
 test: packages-test
-	$(CARGO) test --locked --quiet
+	$(CARGO) test --locked --quiet --no-run
+	@$(MAKE) --no-print-directory --jobs 2 test-stories test-others
+
+test-stories:
+	$(CARGO) test --locked --quiet --test all -- stories::
+
+test-others:
+	$(CARGO) test --locked --quiet -- --skip stories::
 
 # With debug assertions egui keeps the source of every identifier, for good: no growth of the program's.
 test-long: packages-test
