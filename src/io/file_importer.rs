@@ -208,7 +208,7 @@ async fn shapes_without_bones(
             let source = source(&recorder, path, Importer::Shape);
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
             let shape = mesh.map(|mesh| vec![new_shape(source, kind(mesh))]);
-            Ok((shape, false))
+            Ok((shape, is_character(files, &file)))
         }
         "dae" => {
             let read = read_dae_by(&recorder, &file, pace).await?;

@@ -66,8 +66,8 @@ fn without_joints(shape: &Shape) -> &'static str {
 
 const COLLADA_WITHOUT_JOINTS: &str = "This mesh has no joints. If its .dae has some, Insert ⏵ Import ⏵ Import \
                                       Character… brings them along.";
-const WITHOUT_JOINTS: &str = "This mesh has no joints. A character's .obj has its .skel and .attach beside it, and is \
-                              chosen or dropped together with them.";
+const WITHOUT_JOINTS: &str = "This mesh has no joints. Those of a character are in the .skel and .attach beside its .obj: \
+                              Insert ⏵ Import ⏵ Import Character… brings them along.";
 
 /// Says why the box stands in for a shape, and lets its file be found.
 fn missing_file(ui: &mut Ui, shape: &Shape, reason: &str, actions: &mut Vec<Action>) {

@@ -187,12 +187,26 @@ fn models_in_an_archive_that_is_dropped_are_added() {
     assert!((story.degrees("Elbow").z - 30.0).abs() < 1e-4);
 }
 
+/// What the panel says of a mesh without joints.
+const WITHOUT_JOINTS: &str = "This mesh has no joints. Those of a character are in the .skel and .attach beside its .obj: \
+                              Insert ⏵ Import ⏵ Import Character… brings them along.";
+
 #[test]
 fn a_mesh_without_joints_says_how_a_character_is_opened() {
-    let told = "This mesh has no joints. A character's .obj has its .skel and .attach beside it, and is chosen or \
-                dropped together with them.";
     let mesh = Story::start(&["builtin:gear"]);
-    assert!(mesh.has_text(told));
+    assert!(mesh.has_text(WITHOUT_JOINTS));
     let character = Story::start(&["models/strip.obj"]);
-    assert!(!character.has_text(told));
+    assert!(!character.has_text(WITHOUT_JOINTS));
+}
+
+#[test]
+fn the_mesh_of_a_character_that_is_imported_as_a_shape_is_said_to_be_without_its_bones() {
+    let mut story = Story::start(&[]);
+    story.key_with(CTRL, Key::I);
+    story.choose("models/strip.obj");
+    assert_eq!(story.names(), ["Strip"]);
+    let told = "models/strip.obj: expected a shape, found a character: its bones are left out. Insert ⏵ Import ⏵ \
+                Import Character… brings them along";
+    assert_eq!(story.messages(), [(Severity::Warning, told)]);
+    assert!(story.has_text(WITHOUT_JOINTS));
 }
