@@ -175,7 +175,12 @@ fn syntax_fault(text: &str, error: &ParseError) -> Fault {
         let rest = text.get(from..).unwrap_or("");
         from + (rest.len() - rest.trim_start().len())
     };
+    let begin = next(0);
     let (at, expected) = match error.kind() {
+        // Text of another kind, as of a mesh or a skeleton.
+        _ if text[begin..].starts_with(|c: char| c.is_alphanumeric() || "+-.#<".contains(c)) => {
+            (begin, "JSON, which begins with `{`")
+        }
         Kind::UnterminatedObject => (end, "the rest of an object"),
         Kind::UnterminatedArray => (end, "the rest of a list"),
         Kind::TrailingCommasNotAllowed => (next(range.end), "another entry after the comma"),
@@ -281,6 +286,14 @@ mod tests {
             (
                 "{\"a\": [\"b\n",
                 "1:8: expected the closing quote, found none",
+            ),
+            (
+                "v 1 0 0\nv 2 0 0\n",
+                "1:1: expected JSON, which begins with `{`, found “v”",
+            ),
+            (
+                "\n0 0.5 0 -1 # Root\n",
+                "2:1: expected JSON, which begins with `{`, found “0”",
             ),
             ("{\"a\": [tru]}", "1:8: expected a value, found “tru”"),
             (

@@ -127,6 +127,9 @@ fn contents(
             }
         }
     });
+    if let Some(why) = why_disabled(found[search.row].command, session, state) {
+        ui.label(RichText::new(format!("{why}.")).weak());
+    }
     let chosen = chosen.filter(|entry| why_disabled(entry.command, session, state).is_none());
     chosen.map(|entry| entry.command)
 }

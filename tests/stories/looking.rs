@@ -695,6 +695,19 @@ fn a_command_is_found_by_its_name_and_run() {
 }
 
 #[test]
+fn of_a_command_that_cannot_be_run_the_search_says_why() {
+    let mut story = Story::start(&[]);
+    let why = "No character is selected.";
+    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+    story.frame(vec![Event::Text("export character".into())]);
+    story.settle();
+    assert!(story.has_text(why));
+    story.key(Key::Enter);
+    assert!(story.has_text(why), "it stays open");
+    assert!(!story.host.dialog_is_open);
+}
+
+#[test]
 fn on_software_a_picture_that_moves_has_no_samples_and_the_full_one_comes_as_soon_as_it_rests() {
     let mut story = Story::start(&["models/strip.obj"]);
     let field = story.place("Elbow Z");

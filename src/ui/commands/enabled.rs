@@ -181,14 +181,20 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
             Some("No joint is selected")
         }
         Command::ResetJoint if !joints.iter().any(|&joint| pose.is_changed(joint)) => {
-            Some("The joint is at rest. Esc deselects it; then this is about the character")
+            Some(match joints.len() {
+                1 => "The joint is at rest. Esc deselects it; then this is about the character",
+                _ => "The joints are at rest. Esc deselects them; then this is about the character",
+            })
         }
         Command::ResetAngles
             if joints
                 .iter()
                 .all(|&joint| pose.rotation(joint) == Euler::ZERO) =>
         {
-            Some("The joint is turned as at rest")
+            Some(match joints.len() {
+                1 => "The joint is turned as at rest",
+                _ => "The joints are turned as at rest",
+            })
         }
         Command::ResetOffset if !joints.iter().any(|joint| roots.contains(joint)) => {
             Some("Only roots have an offset: other joints turn")
