@@ -38,6 +38,8 @@ pub struct Formula {
     pub popped: [Popped; 2],
     /// What B has left on the matrix stack when T begins.
     pub left_on_stack: LeftOnStack,
+    /// Whether the transforms of roots are multiplied on twice, in T and in B.
+    pub roots_twice: [bool; 2],
     /// Whether the sum begins with the vertex at rest.
     pub begins_at_rest: bool,
     /// Whether what comes of it is moved once more in the same way.
@@ -365,6 +367,7 @@ impl Default for Formula {
             other_joint: None,
             popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,
+            roots_twice: [false; 2],
             begins_at_rest: false,
             moves_twice: false,
         }

@@ -3,6 +3,7 @@
 
 use super::formula::{Columns, Formula};
 use super::mistake::{LOOK_AT_PLACE, MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
+use std::f64::consts::PI;
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
 pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
@@ -151,13 +152,14 @@ pub(super) static PICTURE_TURNED: Mistake = Mistake {
 #[expect(clippy::approx_constant, reason = "it is meant to be coarse")]
 const COARSE_PI: f64 = 3.14;
 
-/// A mistake in the units of the angles, whose factor is worked out from the mesh; beside another mistake it is that of a
-/// π that programs often have.
+/// A mistake in the units of the angles, whose factor is worked out from the mesh; beside another mistake it is one that
+/// programs often have.
 pub(super) static ANGLES_SCALED: Mistake = Mistake {
     id: "angles-scaled",
     meaning: "all angles are too large or too small by the same factor",
     section: SLIDERS,
-    look_at: "setJointTransform: the conversion of degrees to radians, and the digits of its π",
+    look_at: "setJointTransform: the conversion of degrees to radians, the digits of its π, and the half of the angle if \
+              it makes a quaternion",
     readings: &[
         reading("by a π of 3.14", |formula| {
             scale_angles(formula, COARSE_PI)
@@ -165,13 +167,19 @@ pub(super) static ANGLES_SCALED: Mistake = Mistake {
         reading("by a π of 22/7", |formula| {
             scale_angles(formula, 22.0 / 7.0)
         }),
+        reading("each is 2 times as large", |formula| {
+            scale_angles(formula, 2.0 * PI)
+        }),
+        reading("each is 0.5 times as large", |formula| {
+            scale_angles(formula, 0.5 * PI)
+        }),
     ],
 };
 
 /// Converts degrees to radians with another π.
 fn scale_angles(formula: &mut Formula, pi: f64) {
     for factor in &mut formula.joint.angles {
-        *factor *= pi / std::f64::consts::PI;
+        *factor *= pi / PI;
     }
 }
 

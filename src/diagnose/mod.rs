@@ -5,7 +5,6 @@
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
-mod drifting_rows;
 mod faces;
 mod findings;
 mod formula;
@@ -15,6 +14,7 @@ mod joint_transforms;
 mod made_alone;
 mod mannequin_words;
 mod measure;
+mod misread_rows;
 mod mistake;
 mod mistaken;
 mod mistakes;

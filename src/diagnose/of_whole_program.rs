@@ -158,6 +158,20 @@ static ROOT_TRANSFORM_MISSING: Mistake = Mistake {
     ],
 };
 
+/// And another.
+static ROOT_TRANSFORM_REPEATED: Mistake = Mistake {
+    id: "root-transform-repeated",
+    meaning: "the root's transform, its offset and its rotation, is multiplied on twice",
+    section: SKELETON,
+    look_at: "the recursion over the joints: the root is pushed where the recursion comes to it, and not before it begins, \
+              too",
+    readings: &[
+        reading("in T and in B", |formula| formula.roots_twice = [true; 2]),
+        reading("in T", |formula| formula.roots_twice = [true, false]),
+        reading("in B", |formula| formula.roots_twice = [false, true]),
+    ],
+};
+
 /// A mistake with the angles about the axes.
 static ANGLES_EXCHANGED: Mistake = Mistake {
     id: "angles-exchanged",
@@ -287,7 +301,7 @@ pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// A mistake in how often rotations are made.
-static ROTATION_REPEATED: Mistake = Mistake {
+pub(super) static ROTATION_REPEATED: Mistake = Mistake {
     id: "rotation-repeated",
     meaning: "the rotation of each joint is multiplied on more than once",
     section: SLIDERS,
@@ -300,7 +314,7 @@ static ROTATION_REPEATED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 26] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 27] = [
     &BIND_SHAPE_MISSING,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
@@ -310,6 +324,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 26] = [
     &TRANSLATION_OVERWRITTEN,
     &ROOT_TRANSLATION_MISSING,
     &ROOT_TRANSFORM_MISSING,
+    &ROOT_TRANSFORM_REPEATED,
     &SUM_BEGUN_AT_REST,
     &SUM_OVERWRITTEN,
     &LAST_RESULT_SKINNED,

@@ -1,9 +1,9 @@
 //! Mistakes of a whole program, which are sought by themselves first.
 
-use super::drifting_rows;
 use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
-use super::of_whole_program::OF_WHOLE_PROGRAM;
+use super::misread_rows;
+use super::of_whole_program::{OF_WHOLE_PROGRAM, ROTATION_REPEATED};
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
 use super::small_weights;
@@ -34,7 +34,9 @@ pub(super) async fn find(
             found.extend(alone.made_by(&formula, made, pace).await);
         }
     }
-    if found.is_empty() {
+    // Where each joint turns about one axis, rotations that are made twice are angles that are twice as large.
+    let is_repeated = |found: &Explanation| found.ids() == [ROTATION_REPEATED.id];
+    if found.iter().all(is_repeated) {
         found.extend(scaled_angles(fits, pace).await);
     }
     if found.is_empty() {
@@ -44,7 +46,7 @@ pub(super) async fn find(
         found.extend(sum_not_reset(alone, pace).await);
     }
     if found.is_empty() {
-        found.extend(drifting_rows::find(alone, pace).await);
+        found.extend(misread_rows::find(alone, pace).await);
     }
     found
 }

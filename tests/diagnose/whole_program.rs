@@ -196,6 +196,52 @@ fn weights_that_are_read_as_rows_with_a_number_too_few_are_named() {
 }
 
 #[test]
+fn a_column_too_far_in_one_array_of_all_weights_is_named() {
+    /// The numbers from `first` to `last` of each row, where those beyond its end are of the next one.
+    fn of_one_array(rows: &[Vec<f32>], first: usize, last: usize) -> Vec<Vec<f32>> {
+        let numbers: Vec<f32> = rows.iter().flatten().copied().collect();
+        let number = |at: usize| numbers.get(at).copied().unwrap_or(0.0);
+        let begins = (0..rows.len()).map(|row| row * rows[0].len());
+        begins
+            .map(|begin| {
+                (first..=last)
+                    .map(|column| number(begin + column))
+                    .collect()
+            })
+            .collect()
+    }
+    let from_joint_1 = Student {
+        rows: |rows| of_one_array(rows, 1, rows[0].len()),
+        ..RIGHT
+    };
+    let how = "the first one not at all, and the last joint has the first number of the next row";
+    assert_named(&of(&from_joint_1, 68), "weights-shifted", how);
+    let from_the_root = Student {
+        rows: |rows| of_one_array(rows, 0, rows[0].len()),
+        joint_of_column: |column| column,
+        ..RIGHT
+    };
+    let how = "the first one for the root, and the last joint has the first number of the next row";
+    assert_named(&of(&from_the_root, 68), "weights-shifted", how);
+}
+
+#[test]
+fn weights_that_are_read_as_other_rows_are_named_beside_another_mistake() {
+    let both = Student {
+        rows: |rows| cut_anew(rows, rows[0].len() + 1, |_| 0.0),
+        joint_of_column: |column| column,
+        ..with(&["euler-zyx"])
+    };
+    let found = of(&both, 68);
+    assert_eq!(
+        found.together(),
+        ["weight-rows-drift", "euler-zyx"],
+        "{found}"
+    );
+    assert!(found.to_string().contains("18 numbers a row"), "{found}");
+}
+
+#[test]
 fn the_last_number_may_be_read_again_after_the_end_of_the_weights() {
     let figure = Figure::builtin("adult", turned(68));
     let mut rows = figure.rows.clone();
@@ -450,6 +496,45 @@ fn rotations_that_are_multiplied_on_twice_or_three_times_are_named() {
 }
 
 #[test]
+fn about_one_axis_a_rotation_that_is_made_twice_is_an_angle_that_is_twice_as_large() {
+    let about_one = |joint: usize| Vec3::AXES[joint % 3] * (10.0 + joint as f32);
+    let figure = Figure::builtin("adult", about_one);
+    let twice = Student {
+        to_radians: |degrees| 2.0 * degrees.to_radians(),
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&twice.skin(&figure), 6));
+    assert_eq!(
+        found.causes,
+        ["rotation-repeated", "angles-scaled"],
+        "{found}"
+    );
+}
+
+#[test]
+fn angles_of_half_or_twice_their_size_are_named_beside_another_mistake() {
+    let zyx = || with(&["euler-zyx"]);
+    let half = Student {
+        to_radians: |degrees| 0.5 * degrees.to_radians(),
+        ..zyx()
+    };
+    let twice = Student {
+        to_radians: |degrees| 2.0 * degrees.to_radians(),
+        ..zyx()
+    };
+    for (student, how) in [
+        (half, "each is 0.5 times as large"),
+        (twice, "each is 2 times as large"),
+    ] {
+        let found = of(&student, 87);
+        let mut causes = found.together();
+        causes.sort_unstable();
+        assert_eq!(causes, ["angles-scaled", "euler-zyx"], "{found}");
+        assert!(found.to_string().contains(how), "{found}");
+    }
+}
+
+#[test]
 fn fewer_weights_than_four_are_named_with_their_number() {
     fn largest(mut weights: Vec<(usize, f32)>, most: usize) -> Vec<(usize, f32)> {
         weights.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -601,6 +686,18 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     let moved = Mat4::from_translation(offset);
     let found = moved_by(&all_turned, |joint| t[joint] * b[joint].inverse() * moved);
     assert_named(&found, "root-transform-missing", "in B");
+
+    // The root is pushed, and the recursion that begins with it pushes it again.
+    let [root_t, root_b] = [t[root], b[root]];
+    for (how, in_t, in_b) in [
+        ("in T and in B", root_t, root_b),
+        ("in T", root_t, Mat4::IDENTITY),
+        ("in B", Mat4::IDENTITY, root_b),
+    ] {
+        let product = |joint: usize| in_t * t[joint] * (in_b * b[joint]).inverse();
+        let found = moved_by(&all_turned, product);
+        assert_named(&found, "root-transform-repeated", how);
+    }
 
     let mut of_root = Figure::builtin("adult", turns_some);
     for (joint, offset) in of_root.offsets.iter_mut().enumerate() {
