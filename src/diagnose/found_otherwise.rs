@@ -1,7 +1,7 @@
 //! Mistakes that are found otherwise than by making each in every way: in the faces of a mesh, in single joints, and with
 //! numbers from the mesh.
 
-use super::formula::{Columns, Formula};
+use super::formula::{Columns, Formula, Offsets};
 use super::mistake::{LOOK_AT_PLACE, MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 use std::f64::consts::PI;
 
@@ -93,13 +93,21 @@ pub static SUM_NOT_RESET: Mistake = Mistake {
     readings: &[],
 };
 
-/// A mistake that gives the same mesh as joints without offsets, in T and in B, whatever the pose: it is named with it.
+/// A mistake that gives the same mesh as joints without offsets, whatever the pose: it is named with it.
 pub(super) static VERTEX_WITHOUT_W: Mistake = Mistake {
     id: "vertex-without-w",
     meaning: "the fourth coordinate of vertices is 0, so that no offset moves them",
     section: SSD,
     look_at: "updateMeshVertices: a vertex is a point, the fourth coordinate of which is 1",
-    readings: &[],
+    readings: &[
+        reading("in T and in B", |formula| {
+            formula.joint.offsets = Offsets::None;
+            formula.joint.bind_offsets = Offsets::None;
+        }),
+        reading("in T alone, after B⁻¹", |formula| {
+            formula.joint.offsets = Offsets::None;
+        }),
+    ],
 };
 
 /// A mistake in when B is made, which grading finds in the poses of other tests.

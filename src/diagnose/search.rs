@@ -80,11 +80,16 @@ impl Explanation {
     /// The same with [`VERTEX_WITHOUT_W`] in the place of the mistake that always gives the same mesh, if that is in it.
     pub(super) fn without_w(&self) -> Option<Self> {
         let offsets = Mistake::find("translation-missing")?;
-        let in_both = offsets.readings.first()?;
-        let is_same = |made: &Made| std::ptr::eq(made.reading, in_both);
-        let place = self.made.iter().position(is_same)?;
+        let same = offsets.readings.iter().zip(VERTEX_WITHOUT_W.readings);
+        let (place, reading) = same.into_iter().find_map(|(of_offsets, reading)| {
+            let is_same = |made: &Made| std::ptr::eq(made.reading, of_offsets);
+            Some((self.made.iter().position(is_same)?, reading))
+        })?;
         let mut other = self.clone();
-        other.made[place] = Made::by_numbers(&VERTEX_WITHOUT_W);
+        other.made[place] = Made {
+            mistake: &VERTEX_WITHOUT_W,
+            reading,
+        };
         Some(other)
     }
 

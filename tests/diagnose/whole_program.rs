@@ -5,7 +5,7 @@ use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
 use editor_core::character::Pose;
 use editor_core::character::skinning::skin_positions;
 use editor_core::diagnose::{Diagnosis, Verdict};
-use glam::{EulerRot, Mat4, Quat, Vec3};
+use glam::{EulerRot, Mat3, Mat4, Quat, Vec3};
 use std::collections::BTreeSet;
 
 /// The diagnosis of what `student` writes of the adult.
@@ -718,6 +718,16 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     };
     let same = figure.diagnose(&written(&without_w.skin(&figure), 6));
     assert_eq!(same.causes, found.causes, "{same}");
+    // The one who loses it between B⁻¹ and T.
+    let [t, b] = [&figure.pose(), &Pose::new()].map(|pose| {
+        let skeleton = figure.character.skeleton();
+        skeleton.update_current_joint_to_world_transforms(pose)
+    });
+    let found = moved_by(&figure, |joint| {
+        Mat4::from_mat3(Mat3::from_mat4(t[joint])) * b[joint].inverse()
+    });
+    assert_eq!(found.causes, ["translation-missing", "vertex-without-w"]);
+    assert_eq!(found.mistakes[0].how, "in T", "{found}");
 }
 
 #[test]
