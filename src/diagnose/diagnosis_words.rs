@@ -122,7 +122,7 @@ const FAR_OUT: f64 = 1e5;
 /// The same where it is said already what it is a part of.
 pub fn part_of_size(error: f64) -> String {
     match 100.0 * error {
-        percent if percent.is_infinite() => "more than any number".to_owned(),
+        percent if percent.is_infinite() => "an infinite distance".to_owned(),
         percent if percent > FAR_OUT => "more than a thousand times the size".to_owned(),
         percent if percent < 0.001 => "less than 0.001 %".to_owned(),
         percent if percent < 1.0 => format!("{percent:.3} %"),

@@ -249,7 +249,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     };
     // What the file has, and not what stands for it.
     told("ida", "theirs (NaN, ");
-    told("ida", "away     more than any number");
+    told("ida", "away     an infinite distance");
     assert_eq!(told("max", &cut_text), json!([["triangles-differ"]]));
     assert_eq!(
         told("una", "triangles is missing, and 1 other is there"),
