@@ -38,6 +38,8 @@ pub struct Formula {
     pub popped: [Popped; 2],
     /// What B has left on the matrix stack when T begins.
     pub left_on_stack: LeftOnStack,
+    /// Whether joints have the transforms of their parents, and roots none, in T and in B.
+    pub keeps_parents: [bool; 2],
     /// Whether the transforms of roots are multiplied on twice, in T and in B.
     pub roots_twice: [bool; 2],
     /// Whether the sum begins with the vertex at rest.
@@ -367,6 +369,7 @@ impl Default for Formula {
             other_joint: None,
             popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,
+            keeps_parents: [false; 2],
             roots_twice: [false; 2],
             begins_at_rest: false,
             moves_twice: false,

@@ -108,9 +108,17 @@ impl<'a> Joints<'a> {
                 own
             }
         });
+        let kept = |tree: &Tree, of_parents: bool, all: Vec<DAffine3>| {
+            if of_parents {
+                tree.of_parents(&all)
+            } else {
+                all
+            }
+        };
+        let [current_of_parents, bind_of_parents] = formula.keeps_parents;
         Self {
-            current,
-            bind,
+            current: kept(&tree, current_of_parents, current),
+            bind: kept(&bind_tree, bind_of_parents, bind),
             order,
             frames: model.character.file_frames(),
         }
@@ -234,6 +242,13 @@ impl Tree {
         }
         self.order = visited;
         self
+    }
+
+    /// Of `model_from_joint` those of the joints' parents.
+    fn of_parents(&self, model_from_joint: &[DAffine3]) -> Vec<DAffine3> {
+        let of_parent = |parent: &Option<usize>| parent.map(|parent| model_from_joint[parent]);
+        let of_parents = self.parents.iter().map(of_parent);
+        of_parents.map(Option::unwrap_or_default).collect()
     }
 
     /// The transform of each joint from `own`, relative to its parent. Roots follow `left`.

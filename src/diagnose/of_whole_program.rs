@@ -224,12 +224,26 @@ static ROOT_ANGLES_MISSING: Mistake = Mistake {
     })],
 };
 
-/// A mistake in what is kept of the recursion over the joints.
+/// A mistake in what is kept of the recursion over the joints. In T and in B it gives what
+/// [`ROTATION_OF_CHILDREN_ONLY`] does, since the joint's offset is in neither then.
+static OWN_TRANSFORM_MISSING: Mistake = Mistake {
+    id: "own-transform-missing",
+    meaning: "what is kept for a joint is the transform of its parent, without its own",
+    section: SKELETON,
+    look_at: "updateCurrentJointToWorldTransforms: the joint's own transform is pushed before the top of the stack is kept",
+    readings: &[
+        reading("in T", |formula| formula.keeps_parents = [true, false]),
+        reading("in B", |formula| formula.keeps_parents = [false, true]),
+    ],
+};
+
+/// Another one in that.
 static ROTATION_OF_CHILDREN_ONLY: Mistake = Mistake {
     id: "rotation-of-children-only",
     meaning: "the rotation of a joint turns its children but not itself",
     section: SLIDERS,
-    look_at: "updateCurrentJointToWorldTransforms: what is kept for a joint has its own rotation, too",
+    look_at: "updateCurrentJointToWorldTransforms: what is kept for a joint has its own rotation, too; and \
+              updateMeshVertices: a weight is that of the joint, and not of the one it hangs on",
     readings: &[reading("", |formula| {
         formula.joint.angles_of = AnglesOf::Parent;
         formula.joint.rotates_first = true;
@@ -314,7 +328,7 @@ pub(super) static ROTATION_REPEATED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 27] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 28] = [
     &BIND_SHAPE_MISSING,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
@@ -330,6 +344,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 27] = [
     &LAST_RESULT_SKINNED,
     &ANGLES_EXCHANGED,
     &ANGLES_SHIFTED,
+    &OWN_TRANSFORM_MISSING,
     &ROTATION_OF_CHILDREN_ONLY,
     &INFLUENCES_CUT_FEWER,
     &WEIGHTS_IGNORED,

@@ -436,6 +436,25 @@ fn a_root_that_is_not_moved_by_the_pose_is_named_and_a_mesh_at_rest_is_said_to_b
 }
 
 #[test]
+fn transforms_of_parents_that_are_kept_for_joints_are_named() {
+    let figure = Figure::builtin("adult", turned(88));
+    let skeleton = figure.character.skeleton();
+    let [t, b] = [&figure.pose(), &Pose::new()]
+        .map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    let of_parent = |all: &[Mat4], joint: usize| match figure.parents[joint] {
+        Some(parent) => all[parent],
+        None => Mat4::IDENTITY,
+    };
+    let both = |joint| of_parent(&t, joint) * of_parent(&b, joint).inverse();
+    let in_t = |joint: usize| of_parent(&t, joint) * b[joint].inverse();
+    let in_b = |joint: usize| t[joint] * of_parent(&b, joint).inverse();
+    assert_named(&moved_by(&figure, in_t), "own-transform-missing", "in T");
+    assert_named(&moved_by(&figure, in_b), "own-transform-missing", "in B");
+    // The offset is in neither.
+    assert_named(&moved_by(&figure, both), "rotation-of-children-only", "");
+}
+
+#[test]
 fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
     let figure = Figure::builtin("adult", turned(80));
     let pose = figure.pose();
