@@ -599,6 +599,8 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
         ),
         (&[("shin.R", Vec3::X * 90.0)], &["shin.R"]),
         (&[("head", z * 50.0)], &["head"]),
+        (&[("hand.L", z * 45.0)], &["hand.L"]),
+        (&[("hand.L", z * -80.0)], &["hand.L"]),
         (&[("upper_arm.R", z * 60.0)], &["upper_arm.R"]),
         (
             &[("thigh.L", z * 20.0), ("thigh.R", z * -20.0)],

@@ -1,5 +1,6 @@
 //! Differences placed by the bones of the characters in view.
 
+use crate::character::Joint;
 use crate::compare::{Area, sentence};
 use crate::editor::Session;
 use crate::scene::bones_in_world;
@@ -35,6 +36,10 @@ pub(super) fn near(joint: &str, part: &str) -> String {
 const OWN: f32 = 0.75;
 const BELOW: f32 = 0.5;
 
+/// How much farther from the middle of the area a bone may be than what hangs on it and be named in its place, by the
+/// picture's height: a thumb lies along its hand, and the hand is what is seen to move.
+const AS_NEAR: f32 = 0.006;
+
 /// A bone beside an area of a picture.
 #[derive(Clone, Copy, Debug)]
 struct BoneSeen {
@@ -63,7 +68,7 @@ impl BoneSeen {
 
 /// Name of the joint, with the character's if there are several: of those that have all of their bones and of those that
 /// hang on them in the area the one nearest to the root, since a joint takes along what hangs on it; or else the one whose
-/// bone is nearest to the middle.
+/// bone is nearest to the middle, or as near as that.
 fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<String> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let half = Vec2::new(area.width as f32, area.height as f32) / 2.0;
@@ -86,29 +91,55 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
             (joint, BoneSeen::new(&pixels, middle, half, NEAR * size.y))
         });
         let bones: Vec<(usize, BoneSeen)> = bones.collect();
-        let above =
-            |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
-        for &(joint, seen) in bones.iter().filter(|(_, seen)| seen.is_near) {
-            let mut below = bones
-                .iter()
-                .filter(|(other, _)| above(*other).any(|a| a == joint));
-            let takes_all = seen.inside >= OWN && below.all(|(_, seen)| seen.inside >= BELOW);
-            let rank = if takes_all {
-                above(joint).count()
-            } else {
-                usize::MAX
-            };
-            let place = (rank, seen.distance);
-            if nearest.as_ref().is_none_or(|(least, _)| place < *least) {
-                let name = &joints[joint].name;
-                let whose = if several {
-                    format!("{name} of {}", shape.name)
-                } else {
-                    name.clone()
-                };
-                nearest = Some((place, whose));
-            }
+        let Some((place, joint)) = nearest_of(joints, &bones, AS_NEAR * size.y) else {
+            continue;
+        };
+        if nearest.as_ref().is_some_and(|(least, _)| *least <= place) {
+            continue;
         }
+        let name = &joints[joint].name;
+        let whose = if several {
+            format!("{name} of {}", shape.name)
+        } else {
+            name.clone()
+        };
+        nearest = Some((place, whose));
     }
     nearest.map(|(_, joint)| joint)
+}
+
+/// The same of one character with `bones`: a joint, and how far it is from being that which is meant. One that is up to
+/// `as_near` farther than the nearest counts as near as that.
+fn nearest_of(
+    joints: &[Joint],
+    bones: &[(usize, BoneSeen)],
+    as_near: f32,
+) -> Option<((usize, f32), usize)> {
+    let above = |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
+    let near = bones.iter().filter(|(_, seen)| seen.is_near);
+    let places = near.clone().map(|&(joint, seen)| {
+        let mut below = bones
+            .iter()
+            .filter(|(other, _)| above(*other).any(|a| a == joint));
+        let takes_all = seen.inside >= OWN && below.all(|(_, seen)| seen.inside >= BELOW);
+        let rank = if takes_all {
+            above(joint).count()
+        } else {
+            usize::MAX
+        };
+        ((rank, seen.distance), joint)
+    });
+    let (place, nearest) = places.min_by(|(a, _), (b, _)| {
+        let ranks = a.0.cmp(&b.0);
+        ranks.then(a.1.total_cmp(&b.1))
+    })?;
+    if place.0 < usize::MAX {
+        return Some((place, nearest));
+    }
+    let is_as_near = |joint: &usize| {
+        let mut own = near.clone().filter(|(of, _)| of == joint);
+        own.any(|(_, seen)| seen.distance <= place.1 + as_near)
+    };
+    let joint = above(nearest).take_while(|joint| *joint == nearest || is_as_near(joint));
+    Some((place, joint.last()?))
 }
