@@ -66,10 +66,15 @@ impl Area {
         covers(self.width, figure.width) && covers(self.height, figure.height)
     }
 
-    /// Size of the area by that of `figure`, in words: `about 3 %`.
-    pub fn part_of(&self, figure: Area) -> String {
+    /// Size of the area by that of `figure`.
+    pub fn share_of(&self, figure: Area) -> f64 {
         let pixels = |area: &Area| f64::from(area.width) * f64::from(area.height);
-        about(100.0 * pixels(self) / pixels(&figure).max(1.0))
+        pixels(self) / pixels(&figure).max(1.0)
+    }
+
+    /// The same in words: `about 3 %`.
+    pub fn part_of(&self, figure: Area) -> String {
+        about(100.0 * self.share_of(figure))
     }
 
     /// Where the area lies in `figure`, the area round all that is drawn, in words: `at the top left

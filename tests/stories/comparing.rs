@@ -551,6 +551,20 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
         &story,
         "A is the Virtual Mannequin's page. If all"
     ));
+    // From the side no bone is to blame either, though one is nearest to the middle of what differs.
+    let turned = Camera {
+        theta: page.theta + 0.8,
+        phi: page.phi + 0.2,
+        ..page
+    };
+    let seen = vec![Action::View(View::SetCamera(turned))];
+    story.program.carry_out(seen, &mut story.host);
+    judge(&mut story);
+    assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
+    assert!(has_text(
+        &story,
+        "A is the Virtual Mannequin's page. If all"
+    ));
     story.key(Key::Home);
     assert_eq!(story.session().view().camera, page);
     judge(&mut story);

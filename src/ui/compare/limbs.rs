@@ -52,7 +52,7 @@ impl BoneSeen {
 }
 
 /// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones that are
-/// `off`. None if these are not all that differs.
+/// `off`. None if these are not all that differs, or if a root turns all of it, as a camera that is elsewhere does.
 pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Limb> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right].map(|pixels| {
@@ -145,6 +145,10 @@ fn seen_limbs(
         let tops: Vec<Option<usize>> = (0..joints.len())
             .map(|joint| above(joint).filter(|&above| turned[above]).last())
             .collect();
+        let is_root = |joint: usize| joints[joint].parent.is_none();
+        if tops.iter().flatten().any(|&top| is_root(top)) {
+            return Vec::new();
+        }
         let mut own: Vec<(usize, Vec<BoneSeen>)> = Vec::new();
         for bone in seen {
             let Some(top) = tops[bone.joint] else {

@@ -3,7 +3,7 @@
 use super::limbs::limbs;
 use super::place::{near, place};
 use super::{CompareView, PageFigure};
-use crate::compare::{Area, about};
+use crate::compare::{Area, about, sentence};
 use crate::editor::Session;
 
 pub(super) const AGREES: &str =
@@ -19,6 +19,9 @@ const ALWAYS: &str = "A is the Virtual Mannequin's page, which has noise in its 
 const ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where \
                                     the page's was: Home leads to where it starts. A page with a slanted horizon cannot be \
                                     matched, for B's camera keeps level.";
+
+/// Share of the area of a figure that differs from which on its camera may.
+const MUCH: f64 = 0.25;
 
 /// What is said of a figure.
 pub(super) struct FigureTold {
@@ -44,14 +47,16 @@ impl FigureTold {
         };
         let limbs = limbs(session, off, compare.size());
         if limbs.is_empty() {
-            let told = place(session, off.area, figure.area, compare.size());
             let area = off.area;
+            // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
+            let is_much = area.share_of(figure.area) >= MUCH;
+            let told = match is_much {
+                true => sentence(&area.place_in(figure.area)),
+                false => place(session, area, figure.area, compare.size()),
+            };
             return Self {
                 places: vec![FigurePlace { told, area }],
-                hint: match area.is_all_over(figure.area) {
-                    true => ELSEWHERE,
-                    false => ALWAYS,
-                },
+                hint: if is_much { ELSEWHERE } else { ALWAYS },
             };
         }
         let places = limbs.into_iter().map(|limb| FigurePlace {
