@@ -17,8 +17,8 @@
 
 CARGO ?= cargo
 
-.PHONY: all editor run test test-stories test-others test-long bench check-assets lint pictures submission web serve web-package \
-	test-web clean packages-run packages-test
+.PHONY: all editor run test test-stories test-others test-long bench check-assets lint pictures submission web serve \
+	web-package test-web clean packages-run packages-test
 
 all: editor
 

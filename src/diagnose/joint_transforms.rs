@@ -52,7 +52,14 @@ impl<'a> Joints<'a> {
         let parent = |joint: usize| model.skeleton().joints()[joint].parent;
         let is_root = |joint: usize| parent(joint).is_none();
         let own = &formula.joint;
-        let [in_current, in_bind] = formula.roots_twice;
+        let [twice_in_current, twice_in_bind] = formula.roots_twice;
+        let pushed = |twice: bool, joint: usize, transform: DAffine3| {
+            if twice && is_root(joint) {
+                transform * transform
+            } else {
+                transform
+            }
+        };
         let angles_of = |pose: &Pose, joint: usize| {
             let parent = parent(joint).map(|parent| angles_of[parent]);
             let of = own.angles_of.joint(angles_of[joint], parent);
@@ -62,12 +69,11 @@ impl<'a> Joints<'a> {
         let at_rest = |joint: usize| {
             let has_offset = own.bind_offsets.counts(is_root(joint), false);
             let translation = bind_tree.offsets[joint] * f64::from(has_offset);
-            let own = DAffine3::from_translation(translation);
-            if in_bind && is_root(joint) {
-                own * own
-            } else {
-                own
-            }
+            pushed(
+                twice_in_bind,
+                joint,
+                DAffine3::from_translation(translation),
+            )
         };
         let bind = bind_tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
         let left = match formula.left_on_stack {
@@ -101,12 +107,8 @@ impl<'a> Joints<'a> {
                 translation = offset(joint) + moved;
             }
             let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
-            let own = parent_from_joint(translation, rotation, rotates_first);
-            if in_current && is_root(joint) {
-                own * own
-            } else {
-                own
-            }
+            let transform = parent_from_joint(translation, rotation, rotates_first);
+            pushed(twice_in_current, joint, transform)
         });
         let kept = |tree: &Tree, of_parents: bool, all: Vec<DAffine3>| {
             if of_parents {

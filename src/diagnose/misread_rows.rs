@@ -19,75 +19,57 @@ const MOST_NUMBERS: usize = 1 << 25;
 struct Way {
     /// Id of the mistake.
     id: &'static str,
-    /// By how many numbers a row is wider than it is in the file.
+    /// By how many numbers a row is wider than it is in the file. Rows of the file's own width are parts of one array: a
+    /// joint beyond their end has a number of the next one.
     wider: isize,
-    /// The first joint that is given one, …
+    /// The first joint that is given a number, …
     first: u32,
     /// … and which of the row; those after it have the next ones.
     from: usize,
-    /// Whether a joint beyond the end of the row has a number of the next one.
-    goes_on: bool,
-    /// The way in words.
-    how: fn(usize) -> String,
+    /// The way in words, after the numbers of a row where these are not the file's.
+    how: &'static str,
 }
 
+const fn way(
+    id: &'static str,
+    wider: isize,
+    (first, from): (u32, usize),
+    how: &'static str,
+) -> Way {
+    Way {
+        id,
+        wider,
+        first,
+        from,
+        how,
+    }
+}
+
+const DRIFT: &str = WEIGHT_ROWS_DRIFT.id;
+const SHIFTED: &str = "weights-shifted";
+
 const WAYS: [Way; 6] = [
-    Way {
-        id: WEIGHT_ROWS_DRIFT.id,
-        wider: 1,
-        first: 0,
-        from: 0,
-        goes_on: false,
-        how: |wide| format!("{wide} numbers a row, the first for the root"),
-    },
-    Way {
-        id: WEIGHT_ROWS_DRIFT.id,
-        wider: 1,
-        first: 1,
-        from: 0,
-        goes_on: false,
-        how: |wide| format!("{wide} numbers a row, the first for the joint after the root"),
-    },
-    Way {
-        id: WEIGHT_ROWS_DRIFT.id,
-        wider: 1,
-        first: 1,
-        from: 1,
-        goes_on: false,
-        how: |wide| {
-            format!("{wide} numbers a row, the first for the root, which the sum leaves out")
-        },
-    },
-    Way {
-        id: WEIGHT_ROWS_DRIFT.id,
-        wider: -1,
-        first: 1,
-        from: 0,
-        goes_on: false,
-        how: |wide| format!("{wide} numbers a row"),
-    },
-    Way {
-        id: "weights-shifted",
-        wider: 0,
-        first: 1,
-        from: 1,
-        goes_on: true,
-        how: |_| {
-            "the first one not at all, and the last joint has the first number of the next row"
-                .to_owned()
-        },
-    },
-    Way {
-        id: "weights-shifted",
-        wider: 0,
-        first: 0,
-        from: 0,
-        goes_on: true,
-        how: |_| {
-            "the first one for the root, and the last joint has the first number of the next row"
-                .to_owned()
-        },
-    },
+    way(DRIFT, 1, (0, 0), ", the first for the root"),
+    way(DRIFT, 1, (1, 0), ", the first for the joint after the root"),
+    way(
+        DRIFT,
+        1,
+        (1, 1),
+        ", the first for the root, which the sum leaves out",
+    ),
+    way(DRIFT, -1, (1, 0), ""),
+    way(
+        SHIFTED,
+        0,
+        (1, 1),
+        "the first one not at all, and the last joint has the first number of the next row",
+    ),
+    way(
+        SHIFTED,
+        0,
+        (0, 0),
+        "the first one for the root, and the last joint has the first number of the next row",
+    ),
 ];
 
 /// The readings that give the mesh by themselves, or else beside another mistake.
@@ -141,7 +123,7 @@ async fn given_beside(
                 let mut skinner = Skinner::new(&model, alone.search.pose, &formula);
                 let given = alone.search.explained_by(&mut skinner, made, pace).await;
                 found.extend(given.map(|given| Explanation {
-                    how: Some((way.how)(stride)),
+                    how: Some(way.told(stride)),
                     ..given
                 }));
             }
@@ -180,6 +162,14 @@ impl Way {
         (stride > 0).then_some(stride)
     }
 
+    /// The way in words.
+    fn told(&self, stride: usize) -> String {
+        match self.wider {
+            0 => self.how.to_owned(),
+            _ => format!("{stride} numbers a row{}", self.how),
+        }
+    }
+
     /// The character with the weights that are read, where `after` follows the last of the `numbers`.
     fn read(
         &self,
@@ -189,10 +179,9 @@ impl Way {
         character: &Character,
     ) -> Option<Character> {
         let joints = self.first..character.skeleton().joints().len() as u32;
-        let most = if self.goes_on {
-            joints.len()
-        } else {
-            stride - self.from
+        let most = match self.wider {
+            0 => joints.len(),
+            _ => stride - self.from,
         };
         let mut misread = Attachments::new();
         for row in 0..character.attachments().vertex_count() {

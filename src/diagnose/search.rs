@@ -79,17 +79,19 @@ impl Explanation {
 
     /// The same with [`VERTEX_WITHOUT_W`] in the place of the mistake that always gives the same mesh, if that is in it.
     pub(super) fn without_w(&self) -> Option<Self> {
-        let offsets = Mistake::find("translation-missing")?;
-        let same = offsets.readings.iter().zip(VERTEX_WITHOUT_W.readings);
-        let (place, reading) = same.into_iter().find_map(|(of_offsets, reading)| {
-            let is_same = |made: &Made| std::ptr::eq(made.reading, of_offsets);
-            Some((self.made.iter().position(is_same)?, reading))
+        let mistake = &VERTEX_WITHOUT_W;
+        let mut without_w = mistake
+            .readings
+            .iter()
+            .map(|reading| Made { mistake, reading });
+        let (place, same) = without_w.find_map(|without_w| {
+            let gives = formula(&[without_w]);
+            let mut made = self.made.iter();
+            let place = made.position(|made| formula(&[*made]) == gives)?;
+            Some((place, without_w))
         })?;
         let mut other = self.clone();
-        other.made[place] = Made {
-            mistake: &VERTEX_WITHOUT_W,
-            reading,
-        };
+        other.made[place] = same;
         Some(other)
     }
 

@@ -104,7 +104,8 @@ fn contents(
         (_, true) => (search.row + 1).min(last),
         _ => search.row.min(last),
     };
-    let mut chosen = found.get(search.row).filter(|_| enter).copied();
+    let why_not = why_disabled(found[search.row].command, session, state);
+    let mut chosen = (enter && why_not.is_none()).then_some(found[search.row]);
     let tallest = TALLEST.min(room(ui).y);
     // What is left is only as high as the list was in the last frame, with fewer rows perhaps.
     let list = ScrollArea::vertical().max_height(tallest);
@@ -127,10 +128,9 @@ fn contents(
             }
         }
     });
-    if let Some(why) = why_disabled(found[search.row].command, session, state) {
+    if let Some(why) = why_not {
         ui.label(RichText::new(format!("{why}.")).weak());
     }
-    let chosen = chosen.filter(|entry| why_disabled(entry.command, session, state).is_none());
     chosen.map(|entry| entry.command)
 }
 

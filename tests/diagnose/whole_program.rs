@@ -329,6 +329,13 @@ fn own_transforms(figure: &Figure) -> [Vec<Mat4>; 2] {
     [true, false].map(|turned| joints.clone().map(|joint| own(joint, turned)).collect())
 }
 
+/// The transforms from joints to model space, in the pose and at rest.
+fn joint_to_world(figure: &Figure) -> [Vec<Mat4>; 2] {
+    let skeleton = figure.character.skeleton();
+    [&figure.pose(), &Pose::new()]
+        .map(|pose| skeleton.update_current_joint_to_world_transforms(pose))
+}
+
 /// What is found out about the mesh that `moved_by` gives, which moves vertices by what it has for each joint.
 fn moved_by(figure: &Figure, moved_by: impl Fn(usize) -> Mat4) -> Diagnosis {
     let palette: Vec<Mat4> = (0..figure.parents.len()).map(moved_by).collect();
@@ -438,9 +445,7 @@ fn a_root_that_is_not_moved_by_the_pose_is_named_and_a_mesh_at_rest_is_said_to_b
 #[test]
 fn transforms_of_parents_that_are_kept_for_joints_are_named() {
     let figure = Figure::builtin("adult", turned(88));
-    let skeleton = figure.character.skeleton();
-    let [t, b] = [&figure.pose(), &Pose::new()]
-        .map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    let [t, b] = joint_to_world(&figure);
     let of_parent = |all: &[Mat4], joint: usize| match figure.parents[joint] {
         Some(parent) => all[parent],
         None => Mat4::IDENTITY,
@@ -458,9 +463,7 @@ fn transforms_of_parents_that_are_kept_for_joints_are_named() {
 fn rotations_that_reach_the_children_of_a_joint_alone_are_named() {
     let figure = Figure::builtin("adult", turned(80));
     let pose = figure.pose();
-    let skeleton = figure.character.skeleton();
-    let [t, b] =
-        [&pose, &Pose::new()].map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    let [t, b] = joint_to_world(&figure);
     // What is kept for a joint lacks its own rotation.
     let found = moved_by(&figure, |joint| {
         let own = Mat4::from_mat3(pose.rotation(joint).to_mat3());
@@ -698,10 +701,7 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     without_root.offsets[root] = offset;
     let found = all_turned.diagnose(&written(&without_offset(&without_root), 6));
     assert_named(&found, "root-transform-missing", "in T");
-    let [t, b] = [&all_turned.pose(), &Pose::new()].map(|pose| {
-        let skeleton = all_turned.character.skeleton();
-        skeleton.update_current_joint_to_world_transforms(pose)
-    });
+    let [t, b] = joint_to_world(&all_turned);
     let moved = Mat4::from_translation(offset);
     let found = moved_by(&all_turned, |joint| t[joint] * b[joint].inverse() * moved);
     assert_named(&found, "root-transform-missing", "in B");
@@ -738,10 +738,7 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     let same = figure.diagnose(&written(&without_w.skin(&figure), 6));
     assert_eq!(same.causes, found.causes, "{same}");
     // The one who loses it between B⁻¹ and T.
-    let [t, b] = [&figure.pose(), &Pose::new()].map(|pose| {
-        let skeleton = figure.character.skeleton();
-        skeleton.update_current_joint_to_world_transforms(pose)
-    });
+    let [t, b] = joint_to_world(&figure);
     let found = moved_by(&figure, |joint| {
         Mat4::from_mat3(Mat3::from_mat4(t[joint])) * b[joint].inverse()
     });
@@ -958,9 +955,7 @@ fn a_stack_on_which_t_goes_on_where_b_ended_is_named() {
         assert_named(&found, "stack-not-popped", &format!("{begins}, {and}"));
     }
     // The stack of T alone is not popped, and was filled at rest before.
-    let skeleton = figure.character.skeleton();
-    let [t, b] = [&figure.pose(), &Pose::new()]
-        .map(|pose| skeleton.update_current_joint_to_world_transforms(pose));
+    let [t, b] = joint_to_world(&figure);
     let (mut stack, mut kept) = (Stack::new(), own.clone());
     push_all(&figure, &own_at_rest, root, &mut stack, &mut kept);
     push_all(&figure, &own, root, &mut stack, &mut kept);

@@ -33,6 +33,33 @@ impl Story {
 }
 
 #[test]
+fn of_several_joints_at_rest_no_less_is_said_than_of_one() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.click("Waist");
+    let reasons = [
+        (
+            "The joint is turned as at rest.",
+            "The joint is at rest. Esc deselects it; then this is about the character.",
+        ),
+        (
+            "The joints are turned as at rest.",
+            "The joints are at rest. Esc deselects them; then this is about the character.",
+        ),
+    ];
+    for (angles, joint) in reasons {
+        for (words, why) in [("reset angles of joint", angles), ("reset joint", joint)] {
+            story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+            story.frame(vec![Event::Text(words.into())]);
+            story.settle();
+            assert!(story.has_text(why), "{words}: {why}");
+            story.key(Key::Escape);
+        }
+        let chest = story.place("Chest");
+        story.add_by_click(chest);
+    }
+}
+
+#[test]
 fn joints_that_are_added_in_the_list_turn_by_as_much_as_the_one_whose_number_is_changed() {
     let mut story = Story::start(&["builtin:adult"]);
     story.type_into("Chest X", "10");

@@ -19,6 +19,8 @@ const IS_RIGHT: f32 = 0.5;
 const THICK: f32 = 0.06;
 /// … and the share of what is off that limbs have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
+/// Percent of the figure from which on they are no limbs of it any more: a camera that is elsewhere leaves less of it right.
+const FIGURE: f64 = 50.0;
 /// Most limbs of one figure that differ by themselves.
 const MOST: usize = 6;
 
@@ -52,7 +54,8 @@ impl BoneSeen {
 }
 
 /// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones that are
-/// `off`. None if these are not all that differs, or if a root turns all of it, as a camera that is elsewhere does.
+/// `off`. None if these are not all that differs, or if together they are the figure itself, which a camera that is elsewhere
+/// moves as well.
 pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Limb> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right].map(|pixels| {
@@ -92,10 +95,16 @@ pub(super) fn limbs(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
             percent,
         })
     });
-    limbs.collect()
+    let limbs: Vec<Limb> = limbs.collect();
+    let of_figure: f64 = limbs.iter().map(|limb| limb.percent).sum();
+    if of_figure >= FIGURE {
+        return Vec::new();
+    }
+    limbs
 }
 
 /// The limbs whose bones are at pixels that are `off` in the live view while others are `right`, each with all of its bones.
+/// None where a root is turned.
 fn seen_limbs(
     session: &Session,
     [off, right]: [&[Vec2]; 2],

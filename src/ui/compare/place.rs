@@ -37,7 +37,8 @@ const OWN: f32 = 0.75;
 const BELOW: f32 = 0.5;
 
 /// How much farther from the middle of the area a bone may be than what hangs on it and be named in its place, by the
-/// picture's height: a thumb lies along its hand, and the hand is what is seen to move.
+/// picture's height: a thumb lies along its hand, and the hand is what is seen to move. The hand of a robot was up to 3.3
+/// of 600 pixels farther than its thumb, and its forearm 24.
 const AS_NEAR: f32 = 0.006;
 
 /// A bone beside an area of a picture.
