@@ -4,9 +4,14 @@ use glam::DMat4;
 /// character's axes here, while a Collada file turns it, and its skin places the mesh by a matrix of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileFrames {
-    /// For each joint what its transform in the file has before that of this program: it leads from the mesh as the skin
-    /// places it to the directions of the joint's frame, without its place.
-    pub turned: Vec<DMat4>,
+    /// For each joint the directions of its frame at rest in the file, without its place: what its transform there has
+    /// before that of this program.
+    pub directions: Vec<DMat4>,
+    /// For each joint its inverse bind matrix in the file (`INV_BIND_MATRIX`), from the mesh as the skin places it to the
+    /// joint's frame, as it is where it agrees with the joint's node.
+    pub inverse_bind: Vec<DMat4>,
+    /// From the mesh as the skin places it, in the file's axes and units, to the mesh at rest here.
+    pub placed: DMat4,
     /// What takes the mesh at rest to where it is without the skin's own matrix (`bind_shape_matrix`); `None` where that
     /// changes nothing, or several skins have different ones.
     pub unshaped: Option<DMat4>,

@@ -173,7 +173,7 @@ pub enum Factors {
     Exact,
     /// T.
     NoInverseBind,
-    /// T with the turn that a Collada file gives the joint at rest.
+    /// T with the directions of a Collada file, without the file's inverse bind matrix.
     NoInverseBindOfFile,
     /// B⁻¹.
     InverseBindOnly,
@@ -189,6 +189,10 @@ pub enum Factors {
     CurrentTransposed,
     /// T · B⁻ᵀ.
     InverseBindTransposed,
+    /// The same with the file's inverse bind matrix transposed.
+    InverseBindOfFileTransposed,
+    /// (T · B⁻¹)ᵀ, where the inverse of B comes from the file and so leads from its axes and units.
+    TransposedInFile,
     /// T · Bᵀ.
     BindTransposed,
     /// T⁻¹ · B.
@@ -218,18 +222,31 @@ pub enum Factor {
     BindTransposed,
     /// T⁻¹.
     InverseCurrent,
-    /// The turn that a Collada file gives the joint at rest.
-    TurnInFile,
+    /// A⁻¹, from the mesh at rest to where the skin of a Collada file has it, in the axes and units of the file.
+    ToFile,
+    /// Aᵀ.
+    FromFileTransposed,
+    /// The directions that a Collada file gives the joint at rest.
+    DirectionsInFile,
+    /// The inverse bind matrix that a Collada file gives the joint, transposed.
+    InverseBindOfFileTransposed,
 }
 
 impl Factors {
+    /// Whether they are those of a program that has the frames of a Collada file.
+    fn are_of_file(self) -> bool {
+        self.in_order().contains(&Factor::ToFile)
+    }
+
     /// The matrices in the order in which they come to a vertex, from the right of the product to its
     /// left.
     pub fn in_order(self) -> &'static [Factor] {
         match self {
             Self::Exact => &[Factor::InverseBind, Factor::Current],
             Self::NoInverseBind => &[Factor::Current],
-            Self::NoInverseBindOfFile => &[Factor::TurnInFile, Factor::Current],
+            Self::NoInverseBindOfFile => {
+                &[Factor::ToFile, Factor::DirectionsInFile, Factor::Current]
+            }
             Self::InverseBindOnly => &[Factor::InverseBind],
             Self::BindNotInverted => &[Factor::Bind, Factor::Current],
             Self::Swapped => &[Factor::Current, Factor::InverseBind],
@@ -237,6 +254,18 @@ impl Factors {
             Self::EachTransposed => &[Factor::InverseBindTransposed, Factor::CurrentTransposed],
             Self::CurrentTransposed => &[Factor::InverseBind, Factor::CurrentTransposed],
             Self::InverseBindTransposed => &[Factor::InverseBindTransposed, Factor::Current],
+            Self::InverseBindOfFileTransposed => &[
+                Factor::ToFile,
+                Factor::InverseBindOfFileTransposed,
+                Factor::DirectionsInFile,
+                Factor::Current,
+            ],
+            Self::TransposedInFile => &[
+                Factor::ToFile,
+                Factor::CurrentTransposed,
+                Factor::InverseBindTransposed,
+                Factor::FromFileTransposed,
+            ],
             Self::BindTransposed => &[Factor::BindTransposed, Factor::Current],
             Self::InverseOfCurrent => &[Factor::Bind, Factor::InverseCurrent],
             Self::InverseOfCurrentFirst => &[Factor::InverseCurrent, Factor::Bind],
@@ -316,13 +345,13 @@ impl Formula {
     /// Whether it changes something of a character: what it changes may be what only Collada files have, or only others.
     pub fn is_of(&self, character: &Character) -> bool {
         let frames = character.file_frames();
-        let is_turned = self.factors == Factors::NoInverseBindOfFile;
         let unshaped = frames.and_then(|frames| frames.unshaped);
         let has_parents = match self.parents {
             Parents::OfFile => true,
             parents => frames.is_none() && parents.order(character.skeleton()).is_some(),
         };
-        has_parents && (!is_turned || frames.is_some()) && (self.is_shaped || unshaped.is_some())
+        let has_frames = !self.factors.are_of_file() || frames.is_some();
+        has_parents && has_frames && (self.is_shaped || unshaped.is_some())
     }
 }
 

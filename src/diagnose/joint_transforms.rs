@@ -135,18 +135,23 @@ impl<'a> Joints<'a> {
     /// A matrix of `joint`.
     pub(super) fn matrix(&self, factor: Factor, joint: usize) -> DMat4 {
         let (current, bind) = (self.current[joint], self.bind[joint]);
+        let of_file = |matrix: &dyn Fn(&FileFrames) -> Option<DMat4>| {
+            self.frames.and_then(matrix).unwrap_or_default()
+        };
         match factor {
             Factor::Current => current.into(),
             Factor::Bind => bind.into(),
             Factor::InverseBind => bind.inverse().into(),
-            Factor::TurnInFile => {
-                let turned = self.frames.and_then(|it| it.turned.get(joint));
-                turned.copied().unwrap_or_default()
-            }
             Factor::CurrentTransposed => DMat4::from(current).transpose(),
             Factor::BindTransposed => DMat4::from(bind).transpose(),
             Factor::InverseCurrent => current.inverse().into(),
             Factor::InverseBindTransposed => DMat4::from(bind.inverse()).transpose(),
+            Factor::ToFile => of_file(&|it| Some(it.placed.inverse())),
+            Factor::FromFileTransposed => of_file(&|it| Some(it.placed.transpose())),
+            Factor::DirectionsInFile => of_file(&|it| it.directions.get(joint).copied()),
+            Factor::InverseBindOfFileTransposed => {
+                of_file(&|it| Some(it.inverse_bind.get(joint)?.transpose()))
+            }
         }
     }
 

@@ -185,6 +185,29 @@ pub static MISTAKES: &[Mistake] = &[
             reading("of the inverse of B", |formula| {
                 formula.factors = Factors::InverseBindTransposed;
             }),
+            reading("of the inverse of B in a Collada file", |formula| {
+                formula.factors = Factors::InverseBindOfFileTransposed;
+            }),
+            reading(
+                "of the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
+                |formula| {
+                    formula.factors = Factors::InverseBindOfFileTransposed;
+                    formula.divided = Divided::Sum;
+                },
+            ),
+            reading(
+                "of both with the inverse of B in a Collada file",
+                |formula| {
+                    formula.factors = Factors::TransposedInFile;
+                },
+            ),
+            reading(
+                "of both with the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
+                |formula| {
+                    formula.factors = Factors::TransposedInFile;
+                    formula.divided = Divided::Sum;
+                },
+            ),
             // A product of transposed matrices is that of the others the other way round, transposed. Its fourth row has the
             // offsets, which are lost, whether in B as well or not.
             reading(

@@ -7,13 +7,18 @@ use editor_core::character::{Character, Pose};
 use editor_core::diagnose::{Verdict, diagnose};
 use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
-use glam::{Mat4, Vec3};
+use glam::{Mat3, Mat4, Vec3, Vec4, Vec4Swizzles};
 
-const PLACES: [f32; 2] = [1.0, 2.0];
+const ASSET: &str = r#"<unit meter="0.5"/><up_axis>Z_UP</up_axis>"#;
 const DEGREES: [Vec3; 2] = [Vec3::new(10.0, 20.0, 30.0), Vec3::new(40.0, -20.0, 15.0)];
 
 fn bind_shape() -> Mat4 {
-    Mat4::from_translation(Vec3::new(0.5, -1.0, 0.25)) * Mat4::from_rotation_x(-1.2)
+    Mat4::from_translation(Vec3::new(0.1, -1.0, 0.25)) * Mat4::from_rotation_x(-1.2)
+}
+
+/// What the asset says of units and axes.
+fn ours_from_file() -> Mat4 {
+    Mat4::from_scale(Vec3::splat(0.5)) * Mat4::from_rotation_x(-90_f32.to_radians())
 }
 
 /// Joints at rest: the first one turned by a quarter about z, the second one about x besides.
@@ -24,7 +29,7 @@ fn at_rest() -> [Mat4; 2] {
 }
 
 fn positions() -> Vec<Vec3> {
-    let at = |at: usize| [7, 11, 13].map(|step| (at * step % 31) as f32 / 15.0 - 1.0);
+    let at = |at: usize| [7, 11, 13].map(|step| (at * step % 31) as f32 / 40.0 - 0.4);
     (0..24).map(|vertex| Vec3::from(at(vertex))).collect()
 }
 
@@ -63,36 +68,57 @@ fn arm() -> Character {
     let below = joint("b", "1 0 0", "<rotate>1 0 0 30</rotate>");
     let nodes = joint("a", "0 1 0", &(turned.to_owned() + &below)) + &skinned("c", &["ID-a"]);
     let libraries = geometries(&shape) + &controllers(&skin.xml());
-    let scene = import_clean(&document("", &libraries, &nodes));
+    let scene = import_clean(&document(ASSET, &libraries, &nodes));
     scene.characters.into_iter().next().unwrap().character
 }
 
-/// The joints in the pose, as the file has them.
+/// The joints in the pose, with the directions that the file gives them.
 fn in_pose() -> [Mat4; 2] {
     let rotation = |joint: usize| Euler::from_degrees(DEGREES[joint]).to_mat4();
-    let places = PLACES.map(|y| Mat4::from_translation(Vec3::Y * y));
+    let at_rest = at_rest().map(|matrix| ours_from_file() * matrix);
+    let places = at_rest.map(|matrix| Mat4::from_translation(matrix.w_axis.xyz()));
     let first = places[0] * rotation(0);
     let second = first * places[0].inverse() * places[1] * rotation(1);
-    let turn = |joint: usize| places[joint].inverse() * at_rest()[joint];
-    [first * turn(0), second * turn(1)]
+    let directions = at_rest.map(|matrix| Mat4::from_mat3(Mat3::from_mat4(matrix)));
+    [first * directions[0], second * directions[1]]
+}
+
+/// Whether a program divides by the fourth coordinate.
+#[derive(Clone, Copy, PartialEq)]
+enum Divides {
+    Yes,
+    No,
 }
 
 /// What a program writes that moves a vertex by `moved` with each joint.
 fn theirs(moved: impl Fn(usize) -> Mat4) -> Mesh {
+    theirs_in_four(Divides::No, moved)
+}
+
+fn theirs_in_four(divides: Divides, moved: impl Fn(usize) -> Mat4) -> Mesh {
     let places = positions().into_iter().enumerate().map(|(vertex, at)| {
-        let [a, b] = [0, 1].map(|joint| moved(joint).transform_point3(at));
-        a.lerp(b, share(vertex))
+        let [a, b]: [Vec4; 2] = [0, 1].map(|joint| moved(joint) * at.extend(1.0));
+        let sum = a.lerp(b, share(vertex));
+        match divides {
+            Divides::Yes => sum.xyz() / sum.w,
+            Divides::No => sum.xyz(),
+        }
     });
     Mesh::new(places.collect(), vec![[0, 1, 2], [3, 4, 5]])
+}
+
+fn pose() -> Pose {
+    let mut pose = Pose::new();
+    for (joint, degrees) in DEGREES.into_iter().enumerate() {
+        pose.set_joint_transform(joint, Euler::from_degrees(degrees));
+    }
+    pose
 }
 
 #[test]
 fn what_is_left_out_of_a_collada_skin_is_named_though_its_joints_are_turned_at_rest() {
     let character = arm();
-    let mut pose = Pose::new();
-    for (joint, degrees) in DEGREES.into_iter().enumerate() {
-        pose.set_joint_transform(joint, Euler::from_degrees(degrees));
-    }
+    let pose = pose();
     let (posed, rest, shape) = (in_pose(), at_rest(), bind_shape());
     let right = theirs(|joint| posed[joint] * rest[joint].inverse() * shape);
     let found = diagnose(&character, &pose, &right).unwrap();
@@ -116,5 +142,34 @@ fn what_is_left_out_of_a_collada_skin_is_named_though_its_joints_are_turned_at_r
         told.sort_unstable();
         assert_eq!(told, ids, "{found}");
         assert!(found.error < 1e-5, "{found}");
+    }
+}
+
+#[test]
+fn a_transposed_inverse_bind_matrix_is_named_as_the_file_has_it_and_as_this_program_does() {
+    let (posed, rest, shape) = (in_pose(), at_rest(), bind_shape());
+    let of_inverse_bind = |joint: usize| posed[joint] * rest[joint].inverse().transpose() * shape;
+    let of_both = |joint: usize| (posed[joint] * rest[joint].inverse()).transpose() * shape;
+    for (theirs, told) in [
+        (
+            theirs(of_inverse_bind),
+            "of the inverse of B in a Collada file",
+        ),
+        (
+            theirs_in_four(Divides::Yes, of_inverse_bind),
+            "of the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
+        ),
+        (
+            theirs(of_both),
+            "of both with the inverse of B in a Collada file",
+        ),
+        (
+            theirs_in_four(Divides::Yes, of_both),
+            "of both with the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
+        ),
+    ] {
+        let found = diagnose(&arm(), &pose(), &theirs).unwrap();
+        assert_eq!(found.together(), ["matrix-transposed"], "{found}");
+        assert_eq!(found.mistakes[0].how, told, "{found}");
     }
 }

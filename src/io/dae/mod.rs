@@ -267,20 +267,30 @@ fn file_frames(
     if placements.iter().any(|other| other.rest != first.rest) {
         return None;
     }
-    let turned = rig.nodes.iter().map(|&node| {
-        let linear = DMat3::from_mat4(ours_from_file * nodes[node].world);
-        DMat4::from_mat3(linear) * rest.inverse()
-    });
+    let model_from_joint = rig
+        .nodes
+        .iter()
+        .map(|&node| ours_from_file * nodes[node].world);
+    let inverse_bind = model_from_joint.clone().map(|at| at.inverse() * rest);
+    let directions = model_from_joint.map(|at| DMat4::from_mat3(DMat3::from_mat4(at)));
     let is_shared = placements
         .iter()
         .all(|other| other.bind_shape == first.bind_shape);
     let changes = first.bind_shape != DMat4::IDENTITY;
     let unshaped = rest * (rest * first.bind_shape).inverse();
     Some(FileFrames {
-        turned: turned.collect(),
+        directions: directions.collect(),
+        inverse_bind: inverse_bind.collect(),
+        placed: rest,
         unshaped: Some(unshaped).filter(|matrix| is_shared && changes && matrix.is_finite()),
     })
-    .filter(|frames| frames.turned.iter().all(|matrix| matrix.is_finite()))
+    .filter(|frames| {
+        let of_joints = frames.directions.iter().chain(&frames.inverse_bind);
+        of_joints
+            .copied()
+            .chain([rest.inverse()])
+            .all(|matrix| matrix.is_finite())
+    })
 }
 
 fn is_far(joint: &Joint) -> bool {

@@ -57,7 +57,10 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
         Factor::InverseBindTransposed => ("B", "-T"),
         Factor::BindTransposed => ("B", "T"),
         Factor::InverseCurrent => ("T", "-1"),
-        Factor::TurnInFile => ("R", ""),
+        Factor::ToFile => ("A", "-1"),
+        Factor::FromFileTransposed => ("A", "T"),
+        Factor::DirectionsInFile => ("R", ""),
+        Factor::InverseBindOfFileTransposed => ("B", "-T"),
     }
 }
 
