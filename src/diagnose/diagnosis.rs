@@ -58,6 +58,8 @@ pub struct Diagnosis {
     pub off: usize,
     /// Share of the others, 0 to 1.
     pub agrees: f64,
+    /// The same among the vertices that the pose moves; 1 where it moves none.
+    pub moved_agree: f64,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
     /// unless nothing explains the mesh.
     pub regions: Vec<Region>,

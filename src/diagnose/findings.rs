@@ -51,7 +51,8 @@ impl Findings<'_> {
             first: self.first().filter(|_| verdict != Verdict::Right),
             faces: FaceDifference::default(),
             off,
-            agrees: 1.0 - off as f64 / self.distances.len().max(1) as f64,
+            agrees: self.share_right(|_| true),
+            moved_agree: self.share_right(|index| self.is_moved(index)),
             regions: Vec::new(),
             other_pose: None,
             nearest: None,
@@ -104,6 +105,21 @@ impl Findings<'_> {
             error: distances.fold(0.0, f64::max),
             how: None,
         })
+    }
+
+    /// Share of right vertices of those that `counts` says; 1 of none.
+    fn share_right(&self, counts: impl Fn(usize) -> bool) -> f64 {
+        let all: Vec<usize> = (0..self.distances.len())
+            .filter(|&index| counts(index))
+            .collect();
+        let off = all.iter().filter(|&&index| self.is_off(index)).count();
+        1.0 - off as f64 / all.len().max(1) as f64
+    }
+
+    /// Whether the vertex at `index` is not where it is in the bind pose.
+    fn is_moved(&self, index: usize) -> bool {
+        let rest = self.model.positions[self.model.source(self.order, index).position];
+        self.exact[index].distance(rest) > self.tolerance
     }
 
     fn is_off(&self, index: usize) -> bool {

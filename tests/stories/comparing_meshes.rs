@@ -5,6 +5,7 @@ use super::{Story, differing, started_before};
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use crate::host::MemoryHost;
+use editor_core::character::Pose;
 use editor_core::editor::{Edit, Severity, View};
 use editor_core::geometry::Picture;
 use editor_core::io::{PoseData, export_obj};
@@ -46,10 +47,15 @@ fn comparing(student: &Student) -> Story {
 
 /// A story with the posed dog.
 fn posed() -> Story {
+    posed_as(&dog().pose())
+}
+
+/// The same in a pose.
+fn posed_as(pose: &Pose) -> Story {
     let mut story = Story::start(&["builtin:dog"]);
     story.size = (1280, 800);
     let id = story.session().scene().shapes()[0].id;
-    let edit = Edit::SetPose(id, dog().pose());
+    let edit = Edit::SetPose(id, pose.clone());
     story.program.session_mut().edit(edit).expect("a pose");
     story.settle();
     story
@@ -766,6 +772,37 @@ fn where_no_mistake_is_found_the_pose_is_to_be_checked() {
         "% of its vertices are right, so mine.obj is in this pose"
     ));
     assert!(!has("Was mine.obj made from"));
+}
+
+#[test]
+fn vertices_that_the_pose_does_not_move_tell_nothing_of_the_pose() {
+    let figure = dog();
+    let tip = figure.character.skeleton().joints().len() - 1;
+    let turned = |degrees: Vec3| {
+        let mut pose = Pose::new();
+        pose.set_joint_transform(tip, Euler::from_degrees(degrees));
+        pose
+    };
+    let rest = figure.character.skin_pose(&Pose::new());
+    let posed = figure
+        .character
+        .skin_pose(&turned(Vec3::new(0.0, 0.0, -30.0)));
+    let lines = rest.iter().zip(&posed).map(|(rest, posed)| {
+        let at = match rest.distance(*posed) > 1e-6 {
+            true => *posed + Vec3::Y * 0.02 * (posed.x * 40.0).sin(),
+            false => *posed,
+        };
+        format!("v {} {} {}\n", at.x, at.y, at.z)
+    });
+    let mesh: String = lines.collect();
+    let mut story = posed_as(&turned(Vec3::new(50.0, 0.0, 0.0)));
+    compare_with(&mut story, mesh.into_bytes());
+    diagnose(&mut story);
+    text(&story, "No known mistake gives this mesh in this pose");
+    text(
+        &story,
+        "Was mine.obj made from this character, in this pose?",
+    );
 }
 
 #[test]

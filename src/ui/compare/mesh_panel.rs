@@ -82,7 +82,7 @@ pub(in crate::ui) fn show(
     chosen
 }
 
-/// Share of right vertices above which a mesh is in the pose that it is held against.
+/// Share of right vertices, of all and of those that the pose moves, above which a mesh is in the pose that it is held against.
 const MOSTLY_RIGHT: f64 = 0.5;
 /// Said once a pose is taken that others may be as well.
 const SHARED_TURN: &str = "Joints in one place share a turn, and this mesh does not tell how. Another mesh may: for that, \
@@ -289,7 +289,7 @@ impl Parts<'_> {
             let text = "No known mistake gives this mesh in this pose, nor do two of them.";
             say(ui, text, palette.strong);
             let name = self.compare.name;
-            if diagnosis.agrees > MOSTLY_RIGHT {
+            if diagnosis.agrees.min(diagnosis.moved_agree) > MOSTLY_RIGHT {
                 let percent = (100.0 * diagnosis.agrees).floor();
                 let text = format!(
                     "{percent} % of its vertices are right, so {name} is in this pose: what is wrong is at the joints \
