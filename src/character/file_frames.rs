@@ -12,7 +12,7 @@ pub struct FileFrames {
     pub inverse_bind: Vec<DMat4>,
     /// From the mesh as the skin places it, in the file's axes and units, to the mesh at rest here.
     pub placed: DMat4,
-    /// What takes the mesh at rest to where it is without the skin's own matrix (`bind_shape_matrix`); `None` where that
-    /// changes nothing, or several skins have different ones.
-    pub unshaped: Option<DMat4>,
+    /// The skin's own matrix, which places the mesh (`bind_shape_matrix`); `None` where that changes nothing, or several
+    /// skins have different ones.
+    pub bind_shape: Option<DMat4>,
 }

@@ -18,8 +18,8 @@ pub struct Formula {
     pub bind_chain: Chain,
     /// Which of T and B move a vertex.
     pub factors: Factors,
-    /// Whether vertices are placed by the matrix of a Collada file's skin first.
-    pub is_shaped: bool,
+    /// How vertices are placed by the matrix of a Collada file's skin first.
+    pub shaped: Shaped,
     /// What is divided by its fourth coordinate then.
     pub divided: Divided,
     /// Which weights count.
@@ -59,6 +59,8 @@ pub struct JointFormula {
     pub angles: [f64; 3],
     /// What the angles are converted to.
     pub units: AngleUnits,
+    /// Whose axes they are about.
+    pub about: About,
     /// Axes of the rotations in the order in which they are multiplied: `[0, 1, 2]` is Rx · Ry · Rz.
     pub order: [usize; 3],
     /// Whether the rotation is transposed, which turns it the other way.
@@ -145,6 +147,28 @@ pub enum AngleUnits {
     ConvertedTwice,
 }
 
+/// Axes that a joint turns about, at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// Those of the character.
+    Model,
+    /// Those that a Collada file gives the joint.
+    Bone,
+    /// Those of a Collada file, along which roots are moved as well.
+    File,
+}
+
+/// What the matrix of a Collada file's skin (`bind_shape_matrix`) does to vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shaped {
+    /// It places them.
+    Exactly,
+    /// Nothing.
+    Not,
+    /// It places them transposed.
+    Transposed,
+}
+
 /// How a joint's transform follows from its own and its parent's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Chain {
@@ -181,6 +205,12 @@ pub enum Factors {
     BindNotInverted,
     /// B⁻¹ · T.
     Swapped,
+    /// The same with the matrices of a Collada file, the axes of which are converted last.
+    SwappedInFile,
+    /// The same where the axes are converted in T.
+    SwappedWithFile,
+    /// T · B⁻¹, whose axes and units stay those of a Collada file.
+    ExactInFile,
     /// (T · B⁻¹)ᵀ, by which a row is multiplied on the left of T · B⁻¹.
     Transposed,
     /// Tᵀ · B⁻ᵀ.
@@ -224,11 +254,15 @@ pub enum Factor {
     InverseCurrent,
     /// A⁻¹, from the mesh at rest to where the skin of a Collada file has it, in the axes and units of the file.
     ToFile,
+    /// A.
+    FromFile,
     /// Aᵀ.
     FromFileTransposed,
     /// The directions that a Collada file gives the joint at rest.
     DirectionsInFile,
-    /// The inverse bind matrix that a Collada file gives the joint, transposed.
+    /// The inverse bind matrix that a Collada file gives the joint.
+    InverseBindOfFile,
+    /// The same transposed.
     InverseBindOfFileTransposed,
 }
 
@@ -250,6 +284,21 @@ impl Factors {
             Self::InverseBindOnly => &[Factor::InverseBind],
             Self::BindNotInverted => &[Factor::Bind, Factor::Current],
             Self::Swapped => &[Factor::Current, Factor::InverseBind],
+            Self::SwappedInFile => &[
+                Factor::ToFile,
+                Factor::DirectionsInFile,
+                Factor::Current,
+                Factor::ToFile,
+                Factor::InverseBindOfFile,
+                Factor::FromFile,
+            ],
+            Self::SwappedWithFile => &[
+                Factor::ToFile,
+                Factor::DirectionsInFile,
+                Factor::Current,
+                Factor::InverseBindOfFile,
+            ],
+            Self::ExactInFile => &[Factor::InverseBind, Factor::Current, Factor::ToFile],
             Self::Transposed => &[Factor::CurrentTransposed, Factor::InverseBindTransposed],
             Self::EachTransposed => &[Factor::InverseBindTransposed, Factor::CurrentTransposed],
             Self::CurrentTransposed => &[Factor::InverseBind, Factor::CurrentTransposed],
@@ -345,13 +394,14 @@ impl Formula {
     /// Whether it changes something of a character: what it changes may be what only Collada files have, or only others.
     pub fn is_of(&self, character: &Character) -> bool {
         let frames = character.file_frames();
-        let unshaped = frames.and_then(|frames| frames.unshaped);
+        let bind_shape = frames.and_then(|frames| frames.bind_shape);
         let has_parents = match self.parents {
             Parents::OfFile => true,
             parents => frames.is_none() && parents.order(character.skeleton()).is_some(),
         };
-        let has_frames = !self.factors.are_of_file() || frames.is_some();
-        has_parents && has_frames && (self.is_shaped || unshaped.is_some())
+        let is_of_file = self.factors.are_of_file() || self.joint.about != About::Model;
+        let has_shape = self.shaped == Shaped::Exactly || bind_shape.is_some();
+        has_parents && (!is_of_file || frames.is_some()) && has_shape
     }
 }
 
@@ -363,6 +413,7 @@ impl Default for Formula {
                 axes: [0, 1, 2],
                 angles: [1.0; 3],
                 units: AngleUnits::Radians,
+                about: About::Model,
                 order: [0, 1, 2],
                 is_transposed: false,
                 times: 1,
@@ -376,7 +427,7 @@ impl Default for Formula {
             chain: Chain::ParentOwn,
             bind_chain: Chain::ParentOwn,
             factors: Factors::Exact,
-            is_shaped: true,
+            shaped: Shaped::Exactly,
             divided: Divided::Nothing,
             weights: WeightFormula {
                 rows: Rows::Exact,

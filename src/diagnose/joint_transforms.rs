@@ -1,8 +1,8 @@
 //! The transforms of joints by any formula, in double precision.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack, Parents,
-    Popped,
+    About, AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
+    Parents, Popped, Shaped,
 };
 use super::model::Model;
 use crate::character::{FileFrames, Pose};
@@ -52,6 +52,12 @@ impl<'a> Joints<'a> {
         let parent = |joint: usize| model.skeleton().joints()[joint].parent;
         let is_root = |joint: usize| parent(joint).is_none();
         let own = &formula.joint;
+        let frames = model.character.file_frames();
+        let axes = |joint: usize| match own.about {
+            About::Model => None,
+            About::Bone => frames.and_then(|it| it.directions.get(joint).copied()),
+            About::File => frames.map(|it| it.placed),
+        };
         let [twice_in_current, twice_in_bind] = formula.roots_twice;
         let pushed = |twice: bool, joint: usize, transform: DAffine3| {
             if twice && is_root(joint) {
@@ -101,6 +107,10 @@ impl<'a> Joints<'a> {
                 rotation = all
                     .map(|pose| own.rotation(angles_of(pose, joint)))
                     .product();
+                if let Some(axes) = axes(joint).map(DMat3::from_mat4) {
+                    rotation = axes * rotation * axes.inverse();
+                    moved = axes * moved;
+                }
             }
             let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
             if own.offsets.counts(is_root(joint), is_posed) {
@@ -122,14 +132,22 @@ impl<'a> Joints<'a> {
             current: kept(&tree, current_of_parents, current),
             bind: kept(&bind_tree, bind_of_parents, bind),
             order,
-            frames: model.character.file_frames(),
+            frames,
         }
     }
 
     /// What vertices at rest are multiplied by before all else.
     pub(super) fn shape(&self, formula: &Formula) -> DMat4 {
-        let unshaped = self.frames.and_then(|frames| frames.unshaped);
-        unshaped.filter(|_| !formula.is_shaped).unwrap_or_default()
+        let shape = |frames: &FileFrames| {
+            let (placed, bind_shape) = (frames.placed, frames.bind_shape?);
+            let shaped = match formula.shaped {
+                Shaped::Exactly => return None,
+                Shaped::Not => DMat4::IDENTITY,
+                Shaped::Transposed => bind_shape.transpose(),
+            };
+            Some(placed * shaped * (placed * bind_shape).inverse())
+        };
+        self.frames.and_then(shape).unwrap_or_default()
     }
 
     /// A matrix of `joint`.
@@ -147,8 +165,10 @@ impl<'a> Joints<'a> {
             Factor::InverseCurrent => current.inverse().into(),
             Factor::InverseBindTransposed => DMat4::from(bind.inverse()).transpose(),
             Factor::ToFile => of_file(&|it| Some(it.placed.inverse())),
+            Factor::FromFile => of_file(&|it| Some(it.placed)),
             Factor::FromFileTransposed => of_file(&|it| Some(it.placed.transpose())),
             Factor::DirectionsInFile => of_file(&|it| it.directions.get(joint).copied()),
+            Factor::InverseBindOfFile => of_file(&|it| it.inverse_bind.get(joint).copied()),
             Factor::InverseBindOfFileTransposed => {
                 of_file(&|it| Some(it.inverse_bind.get(joint)?.transpose()))
             }

@@ -75,7 +75,13 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
     ),
     (&["vertex-without-w"], Some(POINT)),
     (
-        &["moved-as-a-whole", "bind-shape-missing", "picture-turned"],
+        &[
+            "moved-as-a-whole",
+            "bind-shape-missing",
+            "axes-not-converted",
+            "angles-about-bones",
+            "picture-turned",
+        ],
         None,
     ),
 ];

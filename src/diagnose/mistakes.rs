@@ -2,7 +2,7 @@
 
 use super::formula::{
     AngleUnits, Chain, Columns, Divided, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled,
-    Rows, VertexOrder,
+    Rows, Shaped, VertexOrder,
 };
 use super::mistake::{
     EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, reading,
@@ -144,14 +144,24 @@ pub static MISTAKES: &[Mistake] = &[
             }),
         ],
     },
-    one_way!(
-        "factors-swapped",
-        SSD,
-        "the inverse of B and T are multiplied the wrong way round",
-        "updateMeshVertices: the order of T and the inverse of B, of which the latter comes first to \
-         the vertex and so stands on the right",
-        |formula| formula.factors = Factors::Swapped
-    ),
+    Mistake {
+        id: "factors-swapped",
+        meaning: "the inverse of B and T are multiplied the wrong way round",
+        section: SSD,
+        look_at: "updateMeshVertices: the order of T and the inverse of B, of which the latter comes first to \
+                  the vertex and so stands on the right",
+        readings: &[
+            reading("", |formula| formula.factors = Factors::Swapped),
+            reading(
+                "with those of a Collada file, whose axes are converted last",
+                |formula| formula.factors = Factors::SwappedInFile,
+            ),
+            reading(
+                "with those of a Collada file, whose axes are converted in T",
+                |formula| formula.factors = Factors::SwappedWithFile,
+            ),
+        ],
+    },
     Mistake {
         id: "matrix-transposed",
         meaning: "rows and columns of what moves a vertex are exchanged",
@@ -205,6 +215,25 @@ pub static MISTAKES: &[Mistake] = &[
                 "of both with the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
                 |formula| {
                     formula.factors = Factors::TransposedInFile;
+                    formula.divided = Divided::Sum;
+                },
+            ),
+            reading("of the skin's own matrix in a Collada file", |formula| {
+                formula.shaped = Shaped::Transposed;
+            }),
+            reading(
+                "of the skin's own matrix and of the inverse of B in a Collada file",
+                |formula| {
+                    formula.shaped = Shaped::Transposed;
+                    formula.factors = Factors::InverseBindOfFileTransposed;
+                },
+            ),
+            reading(
+                "of the skin's own matrix and of the inverse of B in a Collada file, and the sum is divided by its fourth \
+                 coordinate",
+                |formula| {
+                    formula.shaped = Shaped::Transposed;
+                    formula.factors = Factors::InverseBindOfFileTransposed;
                     formula.divided = Divided::Sum;
                 },
             ),

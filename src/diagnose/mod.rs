@@ -21,6 +21,7 @@ mod mistakes;
 mod model;
 mod nearest;
 mod no_numbers;
+mod of_collada;
 mod of_weighted_sum;
 mod of_whole_program;
 mod one_joint;
@@ -46,9 +47,9 @@ pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMista
 pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
-    AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
-    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rounded, Rows, VertexOrder,
-    WeightFormula,
+    About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
+    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rounded, Rows, Shaped,
+    VertexOrder, WeightFormula,
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;

@@ -151,16 +151,6 @@ pub(super) static SUM_DIVIDED: Mistake = Mistake {
     })],
 };
 
-/// A mistake with the matrix that a Collada file's skin has for its mesh.
-pub(super) static BIND_SHAPE_MISSING: Mistake = Mistake {
-    id: "bind-shape-missing",
-    meaning: "vertices are not placed by the skin's own matrix first",
-    section: SSD,
-    look_at: "where the skin of a Collada file is read: its bind_shape_matrix comes first to each vertex, before the \
-              inverse of B",
-    readings: &[reading("", |formula| formula.is_shaped = false)],
-};
-
 /// A mistake in the type of weights.
 pub(super) static WEIGHTS_ROUNDED: Mistake = Mistake {
     id: "weights-rounded",

@@ -3,10 +3,10 @@
 
 use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped};
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
+use super::of_collada::{ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING};
 use super::of_weighted_sum::{
-    BIND_SHAPE_MISSING, INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT,
-    SUM_BEGUN_AT_REST, SUM_DIVIDED, SUM_OVERWRITTEN, WEIGHTS_IGNORED, WEIGHTS_ROUNDED,
-    WRONG_INVERSE,
+    INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT, SUM_BEGUN_AT_REST,
+    SUM_DIVIDED, SUM_OVERWRITTEN, WEIGHTS_IGNORED, WEIGHTS_ROUNDED, WRONG_INVERSE,
 };
 
 /// A mistake at roots alone, which other joints do not share.
@@ -328,8 +328,10 @@ pub(super) static ROTATION_REPEATED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 28] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 30] = [
     &BIND_SHAPE_MISSING,
+    &AXES_NOT_CONVERTED,
+    &ANGLES_ABOUT_BONES,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &ROOT_NOT_MOVED,

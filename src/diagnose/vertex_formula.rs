@@ -68,7 +68,8 @@ impl VertexFormula {
         let rest = *model.positions.get(vertex)?;
         let formula = formula.in_order_of_file();
         let joints = Joints::new(&model, pose, &formula);
-        let rest = joints.shape(&formula).transform_point3(rest);
+        let shaped = joints.shape(&formula) * rest.extend(1.0);
+        let rest = shaped.xyz();
         let source = model.source(formula.vertex_order, vertex);
         let influences = model.influences_by(formula.weights.rows, source.weights);
         let mut kept = Vec::new();
@@ -77,7 +78,7 @@ impl VertexFormula {
         let mut whole = DVec4::ZERO;
         let term = |&(index, weight): &(usize, f64)| {
             let joint = joints.moved_by(formula.weights.columns, index)?;
-            let mut at = rest.extend(1.0);
+            let mut at = shaped;
             let step = |&factor: &Factor| {
                 let matrix = joints.matrix(factor, joint);
                 at = matrix * at;

@@ -72,10 +72,18 @@ fn arm() -> Character {
     scene.characters.into_iter().next().unwrap().character
 }
 
+fn rotation(joint: usize) -> Mat4 {
+    Euler::from_degrees(DEGREES[joint]).to_mat4()
+}
+
 /// The joints in the pose, with the directions that the file gives them.
 fn in_pose() -> [Mat4; 2] {
-    let rotation = |joint: usize| Euler::from_degrees(DEGREES[joint]).to_mat4();
-    let at_rest = at_rest().map(|matrix| ours_from_file() * matrix);
+    in_pose_from(ours_from_file())
+}
+
+/// The same in other axes and units.
+fn in_pose_from(from_file: Mat4) -> [Mat4; 2] {
+    let at_rest = at_rest().map(|matrix| from_file * matrix);
     let places = at_rest.map(|matrix| Mat4::from_translation(matrix.w_axis.xyz()));
     let first = places[0] * rotation(0);
     let second = first * places[0].inverse() * places[1] * rotation(1);
@@ -146,10 +154,13 @@ fn what_is_left_out_of_a_collada_skin_is_named_though_its_joints_are_turned_at_r
 }
 
 #[test]
-fn a_transposed_inverse_bind_matrix_is_named_as_the_file_has_it_and_as_this_program_does() {
+fn matrices_of_a_skin_that_are_read_by_columns_are_named() {
     let (posed, rest, shape) = (in_pose(), at_rest(), bind_shape());
     let of_inverse_bind = |joint: usize| posed[joint] * rest[joint].inverse().transpose() * shape;
     let of_both = |joint: usize| (posed[joint] * rest[joint].inverse()).transpose() * shape;
+    let of_shape = |joint: usize| posed[joint] * rest[joint].inverse() * shape.transpose();
+    let of_skin =
+        |joint: usize| posed[joint] * rest[joint].inverse().transpose() * shape.transpose();
     for (theirs, told) in [
         (
             theirs(of_inverse_bind),
@@ -167,9 +178,67 @@ fn a_transposed_inverse_bind_matrix_is_named_as_the_file_has_it_and_as_this_prog
             theirs_in_four(Divides::Yes, of_both),
             "of both with the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
         ),
+        (
+            theirs(of_shape),
+            "of the skin's own matrix in a Collada file",
+        ),
+        (
+            theirs(of_skin),
+            "of the skin's own matrix and of the inverse of B in a Collada file",
+        ),
+        (
+            theirs_in_four(Divides::Yes, of_skin),
+            "of the skin's own matrix and of the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
+        ),
     ] {
         let found = diagnose(&arm(), &pose(), &theirs).unwrap();
         assert_eq!(found.together(), ["matrix-transposed"], "{found}");
         assert_eq!(found.mistakes[0].how, told, "{found}");
     }
+}
+
+#[test]
+fn what_is_done_with_the_frames_of_a_collada_file_is_named() {
+    let (posed, rest, shape) = (in_pose(), at_rest(), bind_shape());
+    let inverse_bind = rest.map(|matrix| matrix.inverse());
+    let from_file = ours_from_file();
+    let first = from_file * rest[0] * rotation(0);
+    let about_bones = [first, first * inverse_bind[0] * rest[1] * rotation(1)];
+    let in_file = in_pose_from(Mat4::IDENTITY);
+    for (theirs, id) in [
+        (
+            theirs(|joint| {
+                from_file * inverse_bind[joint] * from_file.inverse() * posed[joint] * shape
+            }),
+            "factors-swapped",
+        ),
+        (
+            theirs(|joint| inverse_bind[joint] * posed[joint] * shape),
+            "factors-swapped",
+        ),
+        (
+            theirs(|joint| about_bones[joint] * inverse_bind[joint] * shape),
+            "angles-about-bones",
+        ),
+        (
+            theirs(|joint| in_file[joint] * inverse_bind[joint] * shape),
+            "axes-not-converted",
+        ),
+    ] {
+        let found = diagnose(&arm(), &pose(), &theirs).unwrap();
+        assert_eq!(found.together(), [id], "{found}");
+        assert!(found.error < 1e-5, "{found}");
+    }
+}
+
+#[test]
+fn angles_about_a_bones_own_axes_are_named_beside_another_mistake() {
+    let (rest, shape) = (at_rest(), bind_shape());
+    let first = ours_from_file() * rest[0] * rotation(0);
+    let about_bones = [first, first * rest[0].inverse() * rest[1] * rotation(1)];
+    let theirs = theirs(|joint| about_bones[joint] * rest[joint].inverse().transpose() * shape);
+    let found = diagnose(&arm(), &pose(), &theirs).unwrap();
+    let mut told = found.together();
+    told.sort_unstable();
+    assert_eq!(told, ["angles-about-bones", "matrix-transposed"], "{found}");
 }

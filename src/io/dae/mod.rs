@@ -277,12 +277,12 @@ fn file_frames(
         .iter()
         .all(|other| other.bind_shape == first.bind_shape);
     let changes = first.bind_shape != DMat4::IDENTITY;
-    let unshaped = rest * (rest * first.bind_shape).inverse();
+    let can_be_taken_back = (rest * first.bind_shape).inverse().is_finite();
     Some(FileFrames {
         directions: directions.collect(),
         inverse_bind: inverse_bind.collect(),
         placed: rest,
-        unshaped: Some(unshaped).filter(|matrix| is_shared && changes && matrix.is_finite()),
+        bind_shape: Some(first.bind_shape).filter(|_| is_shared && changes && can_be_taken_back),
     })
     .filter(|frames| {
         let of_joints = frames.directions.iter().chain(&frames.inverse_bind);

@@ -52,15 +52,15 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
     match factor {
         Factor::Current => ("T", ""),
         Factor::Bind => ("B", ""),
-        Factor::InverseBind => ("B", "-1"),
+        Factor::InverseBind | Factor::InverseBindOfFile => ("B", "-1"),
         Factor::CurrentTransposed => ("T", "T"),
-        Factor::InverseBindTransposed => ("B", "-T"),
+        Factor::InverseBindTransposed | Factor::InverseBindOfFileTransposed => ("B", "-T"),
         Factor::BindTransposed => ("B", "T"),
         Factor::InverseCurrent => ("T", "-1"),
         Factor::ToFile => ("A", "-1"),
+        Factor::FromFile => ("A", ""),
         Factor::FromFileTransposed => ("A", "T"),
         Factor::DirectionsInFile => ("R", ""),
-        Factor::InverseBindOfFileTransposed => ("B", "-T"),
     }
 }
 
@@ -133,8 +133,12 @@ fn vertex(formula: &Formula) -> Line {
     };
     if exact.iter().all(is_kept) || factors.iter().any(|factor| !exact.contains(factor)) {
         // All of them, in one order or another, or one in the place of another.
-        let places = factors.iter().zip(exact).rev();
-        parts.extend(places.map(|(own, exact)| as_part(own, changed_if(own != exact))));
+        let is_same = |(place, own): (usize, &Factor)| match factors.len() == exact.len() {
+            true => exact[place] == *own,
+            false => exact.contains(own),
+        };
+        let places = factors.iter().enumerate().rev();
+        parts.extend(places.map(|(place, own)| as_part(own, changed_if(!is_same((place, own))))));
     } else {
         let all = exact.iter().rev();
         parts.extend(all.map(|factor| as_part(factor, left_out_if(!is_kept(factor)))));
