@@ -154,6 +154,8 @@ pub enum About {
     Model,
     /// Those that a Collada file gives the joint.
     Bone,
+    /// The same, where the pose's axes are brought into those of the file first.
+    BoneFromFile,
     /// Those of a Collada file, along which roots are moved as well.
     File,
 }
@@ -167,6 +169,8 @@ pub enum Shaped {
     Not,
     /// It places them transposed.
     Transposed,
+    /// The same, of which the fourth coordinate is 1 again then.
+    TransposedAsPoints,
 }
 
 /// How a joint's transform follows from its own and its parent's.

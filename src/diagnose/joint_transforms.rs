@@ -56,6 +56,9 @@ impl<'a> Joints<'a> {
         let axes = |joint: usize| match own.about {
             About::Model => None,
             About::Bone => frames.and_then(|it| it.directions.get(joint).copied()),
+            About::BoneFromFile => {
+                frames.and_then(|it| Some(*it.directions.get(joint)? * it.placed.inverse()))
+            }
             About::File => frames.map(|it| it.placed),
         };
         let [twice_in_current, twice_in_bind] = formula.roots_twice;
@@ -109,7 +112,9 @@ impl<'a> Joints<'a> {
                     .product();
                 if let Some(axes) = axes(joint).map(DMat3::from_mat4) {
                     rotation = axes * rotation * axes.inverse();
-                    moved = axes * moved;
+                    if own.about == About::File {
+                        moved = axes * moved;
+                    }
                 }
             }
             let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
@@ -144,6 +149,9 @@ impl<'a> Joints<'a> {
                 Shaped::Exactly => return None,
                 Shaped::Not => DMat4::IDENTITY,
                 Shaped::Transposed => bind_shape.transpose(),
+                Shaped::TransposedAsPoints => {
+                    DMat4::from_mat3(DMat3::from_mat4(bind_shape)).transpose()
+                }
             };
             Some(placed * shaped * (placed * bind_shape).inverse())
         };

@@ -222,6 +222,18 @@ pub static MISTAKES: &[Mistake] = &[
                 formula.shaped = Shaped::Transposed;
             }),
             reading(
+                "of the skin's own matrix in a Collada file, after which the fourth coordinate is 1 again",
+                |formula| formula.shaped = Shaped::TransposedAsPoints,
+            ),
+            reading(
+                "of the skin's own matrix, after which the fourth coordinate is 1 again, and of the inverse of B in a \
+                 Collada file",
+                |formula| {
+                    formula.shaped = Shaped::TransposedAsPoints;
+                    formula.factors = Factors::InverseBindOfFileTransposed;
+                },
+            ),
+            reading(
                 "of the skin's own matrix and of the inverse of B in a Collada file",
                 |formula| {
                     formula.shaped = Shaped::Transposed;

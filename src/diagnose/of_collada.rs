@@ -35,5 +35,13 @@ pub(super) static ANGLES_ABOUT_BONES: Mistake = Mistake {
     section: SLIDERS,
     look_at: "where a bone's rotation is multiplied on its matrix of the file: that leads from the bone's axes, into which \
               the axis has to be brought first",
-    readings: &[reading("", |formula| formula.joint.about = About::Bone)],
+    readings: &[
+        reading("", |formula| formula.joint.about = About::Bone),
+        reading(
+            "after they are brought into the axes of the file",
+            |formula| {
+                formula.joint.about = About::BoneFromFile;
+            },
+        ),
+    ],
 };

@@ -72,6 +72,9 @@ fn arm() -> Character {
     scene.characters.into_iter().next().unwrap().character
 }
 
+/// What the pose moves the root by.
+const MOVED: Vec3 = Vec3::new(0.3, -0.2, 0.4);
+
 fn rotation(joint: usize) -> Mat4 {
     Euler::from_degrees(DEGREES[joint]).to_mat4()
 }
@@ -85,10 +88,17 @@ fn in_pose() -> [Mat4; 2] {
 fn in_pose_from(from_file: Mat4) -> [Mat4; 2] {
     let at_rest = at_rest().map(|matrix| from_file * matrix);
     let places = at_rest.map(|matrix| Mat4::from_translation(matrix.w_axis.xyz()));
-    let first = places[0] * rotation(0);
+    let first = Mat4::from_translation(MOVED) * places[0] * rotation(0);
     let second = first * places[0].inverse() * places[1] * rotation(1);
     let directions = at_rest.map(|matrix| Mat4::from_mat3(Mat3::from_mat4(matrix)));
     [first * directions[0], second * directions[1]]
+}
+
+/// The same where each joint is turned by `turns` about its own axes.
+fn about_bones(turns: [Mat4; 2]) -> [Mat4; 2] {
+    let rest = at_rest();
+    let first = Mat4::from_translation(MOVED) * ours_from_file() * rest[0] * turns[0];
+    [first, first * rest[0].inverse() * rest[1] * turns[1]]
 }
 
 /// Whether a program divides by the fourth coordinate.
@@ -120,6 +130,7 @@ fn pose() -> Pose {
     for (joint, degrees) in DEGREES.into_iter().enumerate() {
         pose.set_joint_transform(joint, Euler::from_degrees(degrees));
     }
+    pose.set_root_offset(0, MOVED);
     pose
 }
 
@@ -159,6 +170,10 @@ fn matrices_of_a_skin_that_are_read_by_columns_are_named() {
     let of_inverse_bind = |joint: usize| posed[joint] * rest[joint].inverse().transpose() * shape;
     let of_both = |joint: usize| (posed[joint] * rest[joint].inverse()).transpose() * shape;
     let of_shape = |joint: usize| posed[joint] * rest[joint].inverse() * shape.transpose();
+    let as_points = Mat4::from_mat3(Mat3::from_mat4(shape).transpose());
+    let of_points = |joint: usize| posed[joint] * rest[joint].inverse() * as_points;
+    let of_skin_as_points =
+        |joint: usize| posed[joint] * rest[joint].inverse().transpose() * as_points;
     let of_skin =
         |joint: usize| posed[joint] * rest[joint].inverse().transpose() * shape.transpose();
     for (theirs, told) in [
@@ -183,6 +198,14 @@ fn matrices_of_a_skin_that_are_read_by_columns_are_named() {
             "of the skin's own matrix in a Collada file",
         ),
         (
+            theirs(of_points),
+            "of the skin's own matrix in a Collada file, after which the fourth coordinate is 1 again",
+        ),
+        (
+            theirs(of_skin_as_points),
+            "of the skin's own matrix, after which the fourth coordinate is 1 again, and of the inverse of B in a Collada file",
+        ),
+        (
             theirs(of_skin),
             "of the skin's own matrix and of the inverse of B in a Collada file",
         ),
@@ -202,8 +225,9 @@ fn what_is_done_with_the_frames_of_a_collada_file_is_named() {
     let (posed, rest, shape) = (in_pose(), at_rest(), bind_shape());
     let inverse_bind = rest.map(|matrix| matrix.inverse());
     let from_file = ours_from_file();
-    let first = from_file * rest[0] * rotation(0);
-    let about_bones = [first, first * inverse_bind[0] * rest[1] * rotation(1)];
+    let own = [0, 1].map(rotation);
+    let from_file_first = own.map(|turn| from_file.inverse() * turn * from_file);
+    let (about_bones, from_file_first) = (about_bones(own), about_bones(from_file_first));
     let in_file = in_pose_from(Mat4::IDENTITY);
     for (theirs, id) in [
         (
@@ -221,6 +245,10 @@ fn what_is_done_with_the_frames_of_a_collada_file_is_named() {
             "angles-about-bones",
         ),
         (
+            theirs(|joint| from_file_first[joint] * inverse_bind[joint] * shape),
+            "angles-about-bones",
+        ),
+        (
             theirs(|joint| in_file[joint] * inverse_bind[joint] * shape),
             "axes-not-converted",
         ),
@@ -234,8 +262,7 @@ fn what_is_done_with_the_frames_of_a_collada_file_is_named() {
 #[test]
 fn angles_about_a_bones_own_axes_are_named_beside_another_mistake() {
     let (rest, shape) = (at_rest(), bind_shape());
-    let first = ours_from_file() * rest[0] * rotation(0);
-    let about_bones = [first, first * rest[0].inverse() * rest[1] * rotation(1)];
+    let about_bones = about_bones([0, 1].map(rotation));
     let theirs = theirs(|joint| about_bones[joint] * rest[joint].inverse().transpose() * shape);
     let found = diagnose(&arm(), &pose(), &theirs).unwrap();
     let mut told = found.together();

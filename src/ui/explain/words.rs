@@ -1,7 +1,7 @@
 //! The formula in letters, with what a mistake changes of it.
 
 use crate::diagnose::{
-    AngleUnits, Chain, Divided, Factor, Formula, JointFormula, Offsets, VertexOrder,
+    AngleUnits, Chain, Divided, Factor, Formula, JointFormula, Offsets, Shaped, VertexOrder,
 };
 use crate::ui::theme::Palette;
 use egui::text::{LayoutJob, TextFormat};
@@ -142,6 +142,15 @@ fn vertex(formula: &Formula) -> Line {
     } else {
         let all = exact.iter().rev();
         parts.extend(all.map(|factor| as_part(factor, left_out_if(!is_kept(factor)))));
+    }
+    // The skin's own matrix, which has placed the vertex where all is well.
+    match formula.shaped {
+        Shaped::Exactly => {}
+        Shaped::Not => parts.push(part("M", Mark::LeftOut)),
+        Shaped::Transposed | Shaped::TransposedAsPoints => parts.push(Part {
+            above: "T",
+            ..part("M", Mark::Changed)
+        }),
     }
     parts.push(part("v", Mark::Same));
     Line {
@@ -326,6 +335,13 @@ mod tests {
             ["v' = Σ w · B⁻¹ · T · v", current, bind]
         );
         assert_eq!(spoken("pose-not-applied", 1), ["v' = v", current, bind]);
+        // In the frames of a Collada file.
+        let of_file = |id| spoken(id, 1)[0].clone();
+        assert_eq!(of_file("no-inverse-bind"), "v' = Σ w · T · R · A⁻¹ · v");
+        assert_eq!(
+            of_file("factors-swapped"),
+            "v' = Σ w · A · B⁻¹ · A⁻¹ · T · R · A⁻¹ · v"
+        );
         let of_joint = |id, reading: usize| spoken(id, reading)[1].clone();
         assert_eq!(of_joint("parent-missing", 1), "T = Offset · Rx · Ry · Rz");
         assert_eq!(
