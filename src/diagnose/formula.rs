@@ -188,8 +188,10 @@ pub enum Chain {
     WithoutRotations,
     /// The rotation of own · parent at the place of parent · own.
     OwnParentRotation,
-    /// The rotation of own at the place of parent · own.
+    /// The rotation of own at the place of parent · own, of which the parent's has its own rotation alone as well.
     OwnRotation,
+    /// The rotation of own at the right place, to which the rotations of all above lead.
+    OwnRotationInPlace,
     /// parent · own, where own's offset is not turned by the parent.
     OffsetsNotTurned,
 }

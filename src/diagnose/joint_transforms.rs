@@ -294,13 +294,16 @@ impl Tree {
         own: impl Fn(usize) -> DAffine3,
     ) -> Vec<DAffine3> {
         let mut model_from_joint = vec![DAffine3::IDENTITY; self.parents.len()];
+        let mut in_place = model_from_joint.clone();
         for &joint in &self.order {
             let of_joint = own(joint);
             let Some(parent) = self.parents[joint] else {
                 model_from_joint[joint] = left * of_joint;
+                in_place[joint] = model_from_joint[joint];
                 continue;
             };
             let model_from_parent = model_from_joint[parent];
+            in_place[joint] = in_place[parent] * of_joint;
             model_from_joint[joint] = match chain {
                 Chain::Own => of_joint,
                 Chain::ParentOwn => model_from_parent * of_joint,
@@ -316,6 +319,10 @@ impl Tree {
                 Chain::OwnRotation => DAffine3 {
                     matrix3: of_joint.matrix3,
                     ..model_from_parent * of_joint
+                },
+                Chain::OwnRotationInPlace => DAffine3 {
+                    matrix3: of_joint.matrix3,
+                    ..in_place[joint]
                 },
                 Chain::OffsetsNotTurned => DAffine3 {
                     translation: model_from_parent.translation + of_joint.translation,

@@ -279,6 +279,12 @@ static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
             "in its rotation, while the parent's own turns its place",
             |formula| formula.chain = Chain::OwnRotation,
         ),
+        reading(
+            "in its rotation, while all of them turn its place",
+            |formula| {
+                formula.chain = Chain::OwnRotationInPlace;
+            },
+        ),
     ],
 };
 

@@ -197,6 +197,7 @@ fn chained(start: &'static str, parent: &'static str, chain: Chain, own: Vec<Par
         | Chain::WithoutRotations
         | Chain::OwnParentRotation
         | Chain::OwnRotation
+        | Chain::OwnRotationInPlace
         | Chain::OffsetsNotTurned => {
             parts.insert(0, part(parent, Mark::Changed));
         }
