@@ -64,7 +64,9 @@ impl PoseFile {
             return Self::read(&path, &files.read(&path)?);
         };
         let Some(mut several) = Self::read_several(&path, &files.read(&path)?)? else {
-            let message = format!("expected a file with several poses, to have one called {name}");
+            let message = format!(
+                "expected a file with several poses, as {{\"poses\": {{…}}}}, to have one called {name}"
+            );
             return Err(Diagnostic::new(&path, message));
         };
         match several.iter().position(|(other, _)| *other == name) {
@@ -196,7 +198,9 @@ mod tests {
             ),
             (
                 "p#kick.json#a",
-                Err("p#kick.json: expected a file with several poses, to have one called a"),
+                Err(
+                    "p#kick.json: expected a file with several poses, as {\"poses\": {…}}, to have one called a",
+                ),
             ),
             (
                 "none.json",

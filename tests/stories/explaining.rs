@@ -1,6 +1,7 @@
 //! View ▸ Explain Skinning: the formula of a vertex, mistakes on purpose, the matrix stack.
 
 use super::{Story, differing};
+use crate::collada::support::{Skin, arm};
 use crate::host::MemoryHost;
 use editor_core::editor::View;
 use editor_core::io::image::{self, PictureFormat};
@@ -457,4 +458,18 @@ fn a_mistake_that_takes_the_figure_away_says_how_to_see_it_and_the_stack_that_it
     assert!(story.has_text(right));
     story.click("Back to Correct");
     assert!(!story.has_text(right));
+}
+
+#[test]
+fn of_a_collada_file_mistakes_are_told_by_what_such_a_file_has() {
+    let mut host = MemoryHost::default();
+    let file = arm(&Skin::default()).into_bytes();
+    host.files.insert("arm.dae".into(), file);
+    let mut story = Story::start_at(host, &["arm.dae"]);
+    story.key(Key::K);
+    let shifted = "The weights of each joint are taken for the joint before it";
+    make(&mut story, shifted);
+    assert!(story.has_text("⚠ Shown wrong on purpose"));
+    let banner = format!("{shifted}: the first one for the root.");
+    assert!(story.has_text(&banner), "in words without columns");
 }

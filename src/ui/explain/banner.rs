@@ -2,7 +2,9 @@
 
 use super::Explained;
 use super::shown::Mistaken;
+use crate::diagnose::ToldFor;
 use crate::editor::Session;
+use crate::scene::Shape;
 use crate::ui::aspect;
 use crate::ui::theme::Palette;
 use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
@@ -44,10 +46,12 @@ pub(super) fn show(
         .stroke(Stroke::new(2.0, palette.warning))
         .corner_radius(4)
         .inner_margin(Margin::symmetric(8, 6));
+    let shape = session.scene().shape(explained.id);
+    let program = ToldFor::of_file(shape.and_then(Shape::source_file));
     let shown = frame.show(&mut inner, |ui| {
         ui.set_width(width - 16.0);
         ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
-        ui.add(Label::new(mistaken.made.sentence()).wrap());
+        ui.add(Label::new(mistaken.made.sentence(program)).wrap());
         let hint = why_right(explained, mistaken)
             .or_else(|| where_seen(view, session, explained, mistaken));
         if let Some(hint) = hint {

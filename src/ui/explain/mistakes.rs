@@ -32,7 +32,7 @@ pub(super) fn show(
     };
     ui.add(Label::new(RichText::new(hint).small().color(weak)).wrap());
     if let Some(compare) = compare.filter(|compare| Some(compare.shape) == character) {
-        found(ui, compare, made);
+        found(ui, compare, program, made);
     }
     let mut sections: Vec<&str> = MISTAKES.iter().map(|mistake| mistake.section).collect();
     let mut known = BTreeSet::new();
@@ -51,7 +51,7 @@ pub(super) fn show(
 }
 
 /// What was found in the compared mesh, each mistake in the way in which it was made there.
-fn found(ui: &mut Ui, compare: &CompareMeshView, made: &mut Option<Made>) {
+fn found(ui: &mut Ui, compare: &CompareMeshView, program: ToldFor, made: &mut Option<Made>) {
     let Some(Ok(diagnosis)) = compare.diagnosis else {
         return;
     };
@@ -64,7 +64,7 @@ fn found(ui: &mut Ui, compare: &CompareMeshView, made: &mut Option<Made>) {
     let title = format!("Found in {}:", compare.name);
     ui.add(Label::new(RichText::new(title).small().color(weak)).truncate());
     for own in all {
-        let button = Button::selectable(false, own.sentence())
+        let button = Button::selectable(false, own.sentence(program))
             .wrap()
             .min_size(egui::vec2(ui.available_width(), 0.0));
         let tip = "End the comparison, and make it in this way";

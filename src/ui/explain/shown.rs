@@ -1,7 +1,7 @@
 //! A mistake that is made on purpose, and the mesh with it.
 
 use super::Explained;
-use crate::diagnose::{Formula, Mistake, Reading, ToldMistake, skin_by};
+use crate::diagnose::{Formula, Mistake, Reading, ToldFor, ToldMistake, skin_by};
 use crate::math::Aabb;
 use crate::revision::Revision;
 use crate::scene::EvaluatedGeometry;
@@ -39,9 +39,9 @@ impl Made {
         formula
     }
 
-    /// What a program does that makes it, in a sentence.
-    pub(super) fn sentence(self) -> String {
-        let meaning = capitalized(self.mistake.meaning);
+    /// What a `program` does that makes it, in a sentence.
+    pub(super) fn sentence(self, program: ToldFor) -> String {
+        let meaning = capitalized(self.mistake.told_for(program).meaning);
         match self.reading.how {
             "" => format!("{meaning}."),
             how => format!("{meaning}: {how}."),
