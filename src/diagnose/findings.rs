@@ -28,6 +28,11 @@ pub(super) struct Findings<'a> {
     pub(super) tolerance: f64,
 }
 
+/// Share of those that are right where `off` of so many are not; 1 of none.
+fn share_right(off: usize, of: usize) -> f64 {
+    1.0 - off as f64 / of.max(1) as f64
+}
+
 impl Findings<'_> {
     /// The largest distance.
     pub(super) fn error(&self) -> f64 {
@@ -38,6 +43,8 @@ impl Findings<'_> {
     pub(super) fn diagnosis(&self, verdict: Verdict) -> Diagnosis {
         let error = self.error() / self.size;
         let all = 0..self.distances.len();
+        let moved: Vec<usize> = all.clone().filter(|&index| self.is_moved(index)).collect();
+        let moved_off = moved.iter().filter(|&&index| self.is_off(index)).count();
         let off = all.filter(|&index| self.is_off(index)).count();
         Diagnosis {
             verdict,
@@ -51,8 +58,8 @@ impl Findings<'_> {
             first: self.first().filter(|_| verdict != Verdict::Right),
             faces: FaceDifference::default(),
             off,
-            agrees: self.share_right(|_| true),
-            moved_agree: self.share_right(|index| self.is_moved(index)),
+            agrees: share_right(off, self.distances.len()),
+            moved_agree: share_right(moved_off, moved.len()),
             regions: Vec::new(),
             other_pose: None,
             nearest: None,
@@ -105,15 +112,6 @@ impl Findings<'_> {
             error: distances.fold(0.0, f64::max),
             how: None,
         })
-    }
-
-    /// Share of right vertices of those that `counts` says; 1 of none.
-    fn share_right(&self, counts: impl Fn(usize) -> bool) -> f64 {
-        let all: Vec<usize> = (0..self.distances.len())
-            .filter(|&index| counts(index))
-            .collect();
-        let off = all.iter().filter(|&&index| self.is_off(index)).count();
-        1.0 - off as f64 / all.len().max(1) as f64
     }
 
     /// Whether the vertex at `index` is not where it is in the bind pose.

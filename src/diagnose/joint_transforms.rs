@@ -55,9 +55,9 @@ impl<'a> Joints<'a> {
         let frames = model.character.file_frames();
         let axes = |joint: usize| match own.about {
             About::Model => None,
-            About::Bone => frames.and_then(|it| it.directions.get(joint).copied()),
+            About::Bone => frames.and_then(|it| it.directions(joint)),
             About::BoneFromFile => {
-                frames.and_then(|it| Some(*it.directions.get(joint)? * it.placed.inverse()))
+                frames.and_then(|it| Some(it.directions(joint)? * it.placed.inverse()))
             }
             About::File => frames.map(|it| it.placed),
         };
@@ -175,10 +175,10 @@ impl<'a> Joints<'a> {
             Factor::ToFile => of_file(&|it| Some(it.placed.inverse())),
             Factor::FromFile => of_file(&|it| Some(it.placed)),
             Factor::FromFileTransposed => of_file(&|it| Some(it.placed.transpose())),
-            Factor::DirectionsInFile => of_file(&|it| it.directions.get(joint).copied()),
-            Factor::InverseBindOfFile => of_file(&|it| it.inverse_bind.get(joint).copied()),
+            Factor::DirectionsInFile => of_file(&|it| it.directions(joint)),
+            Factor::InverseBindOfFile => of_file(&|it| it.inverse_bind(joint)),
             Factor::InverseBindOfFileTransposed => {
-                of_file(&|it| Some(it.inverse_bind.get(joint)?.transpose()))
+                of_file(&|it| Some(it.inverse_bind(joint)?.transpose()))
             }
         }
     }

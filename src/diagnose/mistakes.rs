@@ -1,11 +1,14 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Divided, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled,
-    Rows, Shaped, VertexOrder,
+    AngleUnits, Chain, Columns, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled, Rows,
+    VertexOrder,
 };
 use super::mistake::{
     EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, reading,
+};
+use super::of_product::{
+    BIND_NOT_INVERTED, FACTORS_SWAPPED, INVERSE_BIND_ONLY, MATRIX_TRANSPOSED, NO_INVERSE_BIND,
 };
 
 /// A mistake that is made in one way.
@@ -108,159 +111,11 @@ pub static MISTAKES: &[Mistake] = &[
             }),
         ],
     },
-    Mistake {
-        id: "no-inverse-bind",
-        meaning: "vertices are moved by T alone, without the inverse of B",
-        section: SSD,
-        look_at: "updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled",
-        readings: &[
-            reading("", |formula| formula.factors = Factors::NoInverseBind),
-            reading("in the frames of a Collada file", |formula| {
-                formula.factors = Factors::NoInverseBindOfFile;
-            }),
-        ],
-    },
-    one_way!(
-        "inverse-bind-only",
-        SSD,
-        "vertices are moved by the inverse of B alone, without T",
-        "updateMeshVertices: whether currentJointToWorldTransform is multiplied at all, and is filled",
-        |formula| formula.factors = Factors::InverseBindOnly
-    ),
-    Mistake {
-        id: "bind-not-inverted",
-        meaning: "vertices are moved by T and B, which is not inverted",
-        section: SSD,
-        look_at: "computeBindWorldToJointTransforms: it must keep the inverse",
-        readings: &[
-            reading("by T · B", |formula| {
-                formula.factors = Factors::BindNotInverted
-            }),
-            reading("by T · Bᵀ, as if B only turned", |formula| {
-                formula.factors = Factors::BindTransposed;
-            }),
-            reading("by B · T, the wrong way round as well", |formula| {
-                formula.factors = Factors::BindNotInvertedFirst;
-            }),
-        ],
-    },
-    Mistake {
-        id: "factors-swapped",
-        meaning: "the inverse of B and T are multiplied the wrong way round",
-        section: SSD,
-        look_at: "updateMeshVertices: the order of T and the inverse of B, of which the latter comes first to \
-                  the vertex and so stands on the right",
-        readings: &[
-            reading("", |formula| formula.factors = Factors::Swapped),
-            reading(
-                "with those of a Collada file, whose axes are converted last",
-                |formula| formula.factors = Factors::SwappedInFile,
-            ),
-            reading(
-                "with those of a Collada file, whose axes are converted in T",
-                |formula| formula.factors = Factors::SwappedWithFile,
-            ),
-        ],
-    },
-    Mistake {
-        id: "matrix-transposed",
-        meaning: "rows and columns of what moves a vertex are exchanged",
-        section: SSD,
-        look_at: "updateMeshVertices: the vertex is a column on the right of the matrix; and wherever a matrix is \
-                  filled, whether that goes by rows or by columns",
-        readings: &[
-            reading(
-                "of T and the inverse of B together, as by v · M",
-                |formula| {
-                    formula.factors = Factors::Transposed;
-                },
-            ),
-            reading(
-                "of both, and the sum is divided by its fourth coordinate",
-                |formula| {
-                    formula.factors = Factors::Transposed;
-                    formula.divided = Divided::Sum;
-                },
-            ),
-            reading(
-                "of both, and what each joint gives is divided by its fourth coordinate",
-                |formula| {
-                    formula.factors = Factors::Transposed;
-                    formula.divided = Divided::Each;
-                },
-            ),
-            reading("of T", |formula| {
-                formula.factors = Factors::CurrentTransposed;
-            }),
-            reading("of the inverse of B", |formula| {
-                formula.factors = Factors::InverseBindTransposed;
-            }),
-            reading("of the inverse of B in a Collada file", |formula| {
-                formula.factors = Factors::InverseBindOfFileTransposed;
-            }),
-            reading(
-                "of the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
-                |formula| {
-                    formula.factors = Factors::InverseBindOfFileTransposed;
-                    formula.divided = Divided::Sum;
-                },
-            ),
-            reading(
-                "of both with the inverse of B in a Collada file",
-                |formula| {
-                    formula.factors = Factors::TransposedInFile;
-                },
-            ),
-            reading(
-                "of both with the inverse of B in a Collada file, and the sum is divided by its fourth coordinate",
-                |formula| {
-                    formula.factors = Factors::TransposedInFile;
-                    formula.divided = Divided::Sum;
-                },
-            ),
-            reading("of the skin's own matrix in a Collada file", |formula| {
-                formula.shaped = Shaped::Transposed;
-            }),
-            reading(
-                "of the skin's own matrix in a Collada file, after which the fourth coordinate is 1 again",
-                |formula| formula.shaped = Shaped::TransposedAsPoints,
-            ),
-            reading(
-                "of the skin's own matrix, after which the fourth coordinate is 1 again, and of the inverse of B in a \
-                 Collada file",
-                |formula| {
-                    formula.shaped = Shaped::TransposedAsPoints;
-                    formula.factors = Factors::InverseBindOfFileTransposed;
-                },
-            ),
-            reading(
-                "of the skin's own matrix and of the inverse of B in a Collada file",
-                |formula| {
-                    formula.shaped = Shaped::Transposed;
-                    formula.factors = Factors::InverseBindOfFileTransposed;
-                },
-            ),
-            reading(
-                "of the skin's own matrix and of the inverse of B in a Collada file, and the sum is divided by its fourth \
-                 coordinate",
-                |formula| {
-                    formula.shaped = Shaped::Transposed;
-                    formula.factors = Factors::InverseBindOfFileTransposed;
-                    formula.divided = Divided::Sum;
-                },
-            ),
-            // A product of transposed matrices is that of the others the other way round, transposed. Its fourth row has the
-            // offsets, which are lost, whether in B as well or not.
-            reading(
-                "of each joint's own transform, so that offsets are lost",
-                |formula| {
-                    formula.chain = Chain::OwnParent;
-                    formula.bind_chain = Chain::OwnParent;
-                    formula.factors = Factors::EachTransposed;
-                },
-            ),
-        ],
-    },
+    NO_INVERSE_BIND,
+    INVERSE_BIND_ONLY,
+    BIND_NOT_INVERTED,
+    FACTORS_SWAPPED,
+    MATRIX_TRANSPOSED,
     Mistake {
         id: "parent-missing",
         meaning: "a joint's transform is its own alone, without those of its parents",

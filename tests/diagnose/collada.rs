@@ -102,7 +102,7 @@ fn about_bones(turns: [Mat4; 2]) -> [Mat4; 2] {
 }
 
 /// Whether a program divides by the fourth coordinate.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 enum Divides {
     Yes,
     No,
@@ -229,32 +229,38 @@ fn what_is_done_with_the_frames_of_a_collada_file_is_named() {
     let from_file_first = own.map(|turn| from_file.inverse() * turn * from_file);
     let (about_bones, from_file_first) = (about_bones(own), about_bones(from_file_first));
     let in_file = in_pose_from(Mat4::IDENTITY);
-    for (theirs, id) in [
+    for (theirs, id, how) in [
         (
             theirs(|joint| {
                 from_file * inverse_bind[joint] * from_file.inverse() * posed[joint] * shape
             }),
             "factors-swapped",
+            "with those of a Collada file, whose axes are converted last",
         ),
         (
             theirs(|joint| inverse_bind[joint] * posed[joint] * shape),
             "factors-swapped",
+            "with those of a Collada file, whose axes are converted in T",
         ),
         (
             theirs(|joint| about_bones[joint] * inverse_bind[joint] * shape),
             "angles-about-bones",
+            "",
         ),
         (
             theirs(|joint| from_file_first[joint] * inverse_bind[joint] * shape),
             "angles-about-bones",
+            "after they are brought into the axes of the file",
         ),
         (
             theirs(|joint| in_file[joint] * inverse_bind[joint] * shape),
             "axes-not-converted",
+            "",
         ),
     ] {
         let found = diagnose(&arm(), &pose(), &theirs).unwrap();
         assert_eq!(found.together(), [id], "{found}");
+        assert_eq!(found.mistakes[0].how, how, "{found}");
         assert!(found.error < 1e-5, "{found}");
     }
 }

@@ -401,13 +401,11 @@ fn rotations_that_are_kept_beside_places_are_named_where_they_are_combined_wrong
     let found = named(|(parent, at), own, offset| (parent * own, at + offset));
     assert_named(&found, "offset-not-turned", "");
     // The places are right, and the rotations that the shader is given are each joint's own.
-    let placed = figure.character.skeleton();
-    let placed = placed.update_current_joint_to_world_transforms(&pose);
+    let [t, _] = joint_to_world(&figure);
     let found = moved_by(&figure, |joint| {
         let own = Mat4::from_mat3(pose.rotation(joint).to_mat3());
-        Mat4::from_translation(placed[joint].w_axis.truncate())
-            * own
-            * Mat4::from_translation(-b[joint])
+        let place = Mat4::from_translation(t[joint].w_axis.truncate());
+        place * own * Mat4::from_translation(-b[joint])
     });
     let how = "in its rotation, while all of them turn its place";
     assert_named(&found, "parents-rotations-missing", how);

@@ -460,13 +460,46 @@ fn a_mistake_that_takes_the_figure_away_says_how_to_see_it_and_the_stack_that_it
     assert!(!story.has_text(right));
 }
 
-#[test]
-fn of_a_collada_file_mistakes_are_told_by_what_such_a_file_has() {
+/// A story with a character of a Collada file, and the panel.
+fn of_collada_file() -> Story {
     let mut host = MemoryHost::default();
     let file = arm(&Skin::default()).into_bytes();
     host.files.insert("arm.dae".into(), file);
     let mut story = Story::start_at(host, &["arm.dae"]);
     story.key(Key::K);
+    story
+}
+
+#[test]
+fn the_matrices_of_a_term_are_in_sight_however_many_there_are() {
+    let mut story = of_collada_file();
+    story.size = (1280, 1000);
+    story.settle();
+    make(
+        &mut story,
+        "The inverse of B and T are multiplied the wrong way round",
+    );
+    let last = "with those of a Collada file, whose axes are converted last";
+    story.click(last);
+    let named = |story: &Story, words: &str| {
+        let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+        let labels = nodes.filter_map(|(_, node)| Some((node.label()?.to_owned(), node.bounds()?)));
+        let of_words = labels.filter(|(label, _)| label.contains(words));
+        of_words.collect::<Vec<_>>()
+    };
+    let row = named(&story, ", A⁻¹ · v (")[0].0.clone();
+    story.click(&row);
+    let matrices = named(&story, " of Name a: ");
+    assert_eq!(matrices.len(), 7, "six factors and their product");
+    let list = named(&story, last)[0].1.x0;
+    for (matrix, bounds) in matrices {
+        assert!(bounds.x1 <= list, "{matrix} begins at {}", bounds.x0);
+    }
+}
+
+#[test]
+fn of_a_collada_file_mistakes_are_told_by_what_such_a_file_has() {
+    let mut story = of_collada_file();
     let shifted = "The weights of each joint are taken for the joint before it";
     make(&mut story, shifted);
     assert!(story.has_text("⚠ Shown wrong on purpose"));

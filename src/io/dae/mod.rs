@@ -28,7 +28,7 @@ use crate::geometry::Mesh;
 use crate::steps::{Pace, at_once};
 use assemble::{Assembler, Part, Placement, SkinPlacement};
 use document::{Dae, FARTHEST, Impact, label, parse_xml};
-use glam::{DMat3, DMat4};
+use glam::DMat4;
 use instances::{Instance, collect};
 use materials::Materials;
 pub use report::{DaeReport, InverseBind};
@@ -254,8 +254,8 @@ fn character(
     })
 }
 
-/// The frames of the joints in the file, and where the mesh is without the matrix of its skins; `None` where these are not
-/// the same for the whole mesh.
+/// The frames of the joints in the file, and what places the mesh there; `None` where that is not the same for the whole
+/// mesh, or cannot be taken back.
 fn file_frames(
     rig: &Rig,
     placements: &[SkinPlacement],
@@ -271,26 +271,20 @@ fn file_frames(
         .nodes
         .iter()
         .map(|&node| ours_from_file * nodes[node].world);
-    let inverse_bind = model_from_joint.clone().map(|at| at.inverse() * rest);
-    let directions = model_from_joint.map(|at| DMat4::from_mat3(DMat3::from_mat4(at)));
     let is_shared = placements
         .iter()
         .all(|other| other.bind_shape == first.bind_shape);
     let changes = first.bind_shape != DMat4::IDENTITY;
-    let can_be_taken_back = (rest * first.bind_shape).inverse().is_finite();
-    Some(FileFrames {
-        directions: directions.collect(),
-        inverse_bind: inverse_bind.collect(),
+    let has_inverse = |matrix: DMat4| matrix.inverse().is_finite();
+    let bind_shape = Some(first.bind_shape)
+        .filter(|bind_shape| is_shared && changes && has_inverse(rest * *bind_shape));
+    let frames = FileFrames {
+        model_from_joint: model_from_joint.collect(),
         placed: rest,
-        bind_shape: Some(first.bind_shape).filter(|_| is_shared && changes && can_be_taken_back),
-    })
-    .filter(|frames| {
-        let of_joints = frames.directions.iter().chain(&frames.inverse_bind);
-        of_joints
-            .copied()
-            .chain([rest.inverse()])
-            .all(|matrix| matrix.is_finite())
-    })
+        bind_shape,
+    };
+    let mut of_joints = frames.model_from_joint.iter().copied();
+    (has_inverse(rest) && of_joints.all(has_inverse)).then_some(frames)
 }
 
 fn is_far(joint: &Joint) -> bool {

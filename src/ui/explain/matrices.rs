@@ -11,6 +11,12 @@ use glam::DMat4;
 /// Width and height of a number, in points.
 const CELL: Vec2 = vec2(45.0, 15.0);
 
+const MARGIN: Margin = Margin::symmetric(6, 4);
+/// Width of a matrix in its frame, in points.
+pub(super) const WIDTH: f32 = 4.0 * CELL.x + (MARGIN.left + MARGIN.right) as f32 + 2.0 * LINE;
+/// Widest line of the frame.
+const LINE: f32 = 1.5;
+
 /// Shows a matrix below its title. `called` is its name for assistive technology, `stands_out` draws
 /// it before the others.
 pub(super) fn show(
@@ -23,7 +29,7 @@ pub(super) fn show(
 ) {
     let palette = Palette::of(ui.visuals());
     let line = if stands_out {
-        Stroke::new(1.5, palette.accent)
+        Stroke::new(LINE, palette.accent)
     } else {
         Stroke::new(1.0, palette.line)
     };
@@ -31,7 +37,7 @@ pub(super) fn show(
         .fill(palette.field)
         .stroke(line)
         .corner_radius(3)
-        .inner_margin(Margin::symmetric(6, 4));
+        .inner_margin(MARGIN);
     frame.show(ui, |ui| {
         ui.vertical(|ui| {
             // In what room is left, a title would break letter by letter.

@@ -10,8 +10,8 @@ use crate::diagnose::{Factor, Factors, Step, Term};
 use crate::ui::shortened::shortened;
 use crate::ui::theme::{Palette, number_font};
 use egui::{
-    Align2, Color32, FontId, Painter, Rect, Response, Sense, Stroke, TextStyle, Ui, WidgetInfo,
-    WidgetType, pos2, vec2,
+    Align2, Color32, FontId, Painter, Rect, Response, Sense, Stroke, TextStyle, Ui, Vec2,
+    WidgetInfo, WidgetType, pos2, vec2,
 };
 use glam::{DMat4, DVec3};
 use std::collections::BTreeSet;
@@ -26,8 +26,9 @@ const LEAST_NAME: f32 = 92.0;
 const BESIDE_NAME: f32 = 4.0;
 /// Width of the triangle and the swatch before a name.
 const MARKS: f32 = 32.0;
-/// Place of the matrices below a row.
+/// Place of the matrices below a row, and the space between them.
 const INDENT: f32 = 12.0;
+const BETWEEN: Vec2 = vec2(6.0, 4.0);
 
 /// The columns that there is room for.
 struct Columns {
@@ -238,26 +239,31 @@ pub(super) fn point(at: DVec3, digits: Digits) -> String {
 
 /// The matrices of a term, in the order of the product, and the product.
 fn unfold(ui: &mut Ui, term: &Term, name: &str, digits: Digits) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
-        ui.add_space(INDENT);
-        let text = Palette::of(ui.visuals()).text;
-        let mut show = |factors: &[Factor], matrix: &DMat4, is_product: bool| {
-            let title = product(factors);
-            let called = format!("{} of {name}", title.spoken());
-            let title = title.laid_out(ui, 12.0, text);
-            matrices::show(ui, title, &called, matrix, digits, is_product);
-        };
-        for step in term.steps.iter().rev() {
-            show(&[step.factor], &step.matrix, false);
-        }
-        if term.steps.len() > 1 {
-            let product_of = |product: DMat4, step: &Step| step.matrix * product;
-            let matrix = term.steps.iter().fold(DMat4::IDENTITY, product_of);
-            let factors: Vec<Factor> = term.steps.iter().map(|step| step.factor).collect();
-            show(&factors, &matrix, true);
-        }
-    });
+    let steps = term.steps.iter().rev();
+    let mut all: Vec<(Vec<Factor>, DMat4)> =
+        steps.map(|step| (vec![step.factor], step.matrix)).collect();
+    if term.steps.len() > 1 {
+        let product_of = |product: DMat4, step: &Step| step.matrix * product;
+        let matrix = term.steps.iter().fold(DMat4::IDENTITY, product_of);
+        let factors = term.steps.iter().map(|step| step.factor);
+        all.push((factors.collect(), matrix));
+    }
+    let room = ui.available_width() - INDENT + BETWEEN.x;
+    let in_row = (room / (matrices::WIDTH + BETWEEN.x)).floor().max(1.0) as usize;
+    for row in all.chunks(in_row) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = BETWEEN.x;
+            ui.add_space(INDENT - BETWEEN.x);
+            let text = Palette::of(ui.visuals()).text;
+            for (factors, matrix) in row {
+                let title = product(factors);
+                let called = format!("{} of {name}", title.spoken());
+                let title = title.laid_out(ui, 12.0, text);
+                matrices::show(ui, title, &called, matrix, digits, factors.len() > 1);
+            }
+        });
+        ui.add_space(BETWEEN.y);
+    }
 }
 
 impl<'a> Row<'a> {
