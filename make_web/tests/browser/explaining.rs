@@ -1,6 +1,7 @@
 //! Mistakes on the page: the formula at work, and another program's mesh beside the exact one.
 
 use super::browser::{Browser, F8, SHIFT};
+use super::comparing::jobs;
 use super::picture::{Part, difference};
 use image::RgbImage;
 use std::path::Path;
@@ -78,15 +79,14 @@ fn a_mesh_of_another_pose_is_compared_and_its_pose_taken() {
     assert!(export.status().expect("run `make test-web`").success());
 
     assert_eq!(violet(&browser.picture()), 0);
+    let before = jobs(&browser);
     browser.press(&[SHIFT, F8]);
     browser.choose(&[theirs]);
     browser.wait("the distances are shown", || {
         violet(&browser.picture()) > 5000
     });
-    let diagnosed = "return performance.getEntriesByName('editor-job', 'measure').length > 0";
-    browser.wait("the mistake is sought", || {
-        browser.script(diagnosed) == true
-    });
+    browser.wait("the mistake is sought", || jobs(&browser) > before);
+    browser.picture();
     // Take Its Pose.
     browser.click(57, 680);
     browser.wait("theirs is right in its pose", || {
