@@ -198,8 +198,11 @@ fn titles(ui: &mut Ui, columns: &Columns) {
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let font = TextStyle::Small.resolve(ui.style());
     let painter = ui.painter();
+    // Long products are set smaller, so as not to run into those beside them.
     let title = |right: f32, line: Line| {
-        let text = painter.layout_job(line.laid_out(ui, font.size, color));
+        let of_size = |size: f32| painter.layout_job(line.laid_out(ui, size, color));
+        let wide = of_size(font.size).size().x / (3.0 * COORDINATE - GAP);
+        let text = of_size(font.size / wide.max(1.0));
         let at = pos2(right - text.size().x, row.center().y - text.size().y / 2.0);
         painter.galley(at, text, color);
     };
