@@ -27,8 +27,8 @@ pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
 pub use mesh::{
-    MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, WorstVertex,
-    compare_meshes, permutation,
+    MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, SignedAxis,
+    WorstVertex, compare_meshes, permutation,
 };
 pub(crate) use mesh::{nearest_rotation, placement};
 pub use pair::{DRAWN_THRESHOLD, Pair};

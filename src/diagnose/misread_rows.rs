@@ -72,14 +72,21 @@ const WAYS: [Way; 6] = [
     ),
 ];
 
+/// A character whose weights are read in a way.
+struct Misread {
+    mistake: &'static Mistake,
+    /// The way in words.
+    how: String,
+    character: Character,
+}
+
 /// The readings that give the mesh by themselves, or else beside another mistake.
 pub(super) async fn find(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
-    let character = alone.search.model.character;
-    let numbers = numbers(character).filter(|_| !alone.has_many_joints());
-    let Some(numbers) = numbers else {
+    if alone.has_many_joints() {
         return Vec::new();
-    };
-    let found = given_beside(&[None], &numbers, alone, pace).await;
+    }
+    let misread = misread(alone.search.model.character, pace).await;
+    let found = given_beside(&[None], &misread, alone, pace).await;
     if !found.is_empty() {
         return found;
     }
@@ -88,22 +95,19 @@ pub(super) async fn find(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation>
         weights.rows == Rows::Exact && weights.columns == Columns::Exact
     });
     let beside: Vec<Option<Made>> = beside.map(Some).collect();
-    given_beside(&beside, &numbers, alone, pace).await
+    given_beside(&beside, &misread, alone, pace).await
 }
 
-/// The readings that give the mesh beside one of `others`.
-async fn given_beside(
-    others: &[Option<Made>],
-    numbers: &[f32],
-    alone: &MadeAlone<'_>,
-    pace: &Pace,
-) -> Vec<Explanation> {
-    let character = alone.search.model.character;
+/// The character with its weights read in each of the ways.
+async fn misread(character: &Character, pace: &Pace) -> Vec<Misread> {
+    let Some(numbers) = numbers(character) else {
+        return Vec::new();
+    };
     // A stream that has ended leaves the variable that is read as it is: what follows is the last number, or 0 if the
     // variable is a new one each time.
     let mut followed_by = vec![0.0];
     followed_by.extend(numbers.last().filter(|last| **last != 0.0));
-    let mut found = Vec::new();
+    let mut misread = Vec::new();
     for way in &WAYS {
         let mistake = Mistake::find(way.id);
         let Some((mistake, stride)) = mistake.zip(way.stride(character)) else {
@@ -111,22 +115,38 @@ async fn given_beside(
         };
         for &after in &followed_by {
             pace.after(numbers.len()).await;
-            let Some(misread) = way.read(numbers, stride, after, character) else {
-                continue;
-            };
-            let model = Model::new(&misread);
-            for other in others {
-                let mut formula = formula(other.as_slice());
-                formula.vertex_order = alone.formula().vertex_order;
-                let mut made = vec![Made::by_numbers(mistake)];
-                made.extend(other);
-                let mut skinner = Skinner::new(&model, alone.search.pose, &formula);
-                let given = alone.search.explained_by(&mut skinner, made, pace).await;
-                found.extend(given.map(|given| Explanation {
-                    how: Some(way.told(stride)),
-                    ..given
-                }));
-            }
+            let read = way.read(&numbers, stride, after, character);
+            misread.extend(read.map(|character| Misread {
+                mistake,
+                how: way.told(stride),
+                character,
+            }));
+        }
+    }
+    misread
+}
+
+/// Those of `misread` that give the mesh beside one of `others`.
+async fn given_beside(
+    others: &[Option<Made>],
+    misread: &[Misread],
+    alone: &MadeAlone<'_>,
+    pace: &Pace,
+) -> Vec<Explanation> {
+    let mut found = Vec::new();
+    for read in misread {
+        let model = Model::new(&read.character);
+        for other in others {
+            let mut formula = formula(other.as_slice());
+            formula.vertex_order = alone.formula().vertex_order;
+            let mut made = vec![Made::by_numbers(read.mistake)];
+            made.extend(other);
+            let mut skinner = Skinner::new(&model, alone.search.pose, &formula);
+            let given = alone.search.explained_by(&mut skinner, made, pace).await;
+            found.extend(given.map(|given| Explanation {
+                how: Some(read.how.clone()),
+                ..given
+            }));
         }
     }
     found

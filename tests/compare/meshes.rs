@@ -1,6 +1,7 @@
 use crate::work::grows_in_proportion;
 use editor_core::compare::{
-    CompareError, MeshComparison, MeshFinding, MeshOptions, MeshParts, Which, compare_meshes,
+    CompareError, MeshComparison, MeshFinding, MeshOptions, MeshParts, SignedAxis, Which,
+    compare_meshes,
 };
 use editor_core::geometry::{Mesh, icosahedron, teapot};
 use glam::{Quat, Vec3};
@@ -244,9 +245,12 @@ fn a_large_scale_leaves_room_for_rounding_as_large() {
 
 #[test]
 fn other_axes_are_named_one_by_one() {
-    let axes = |from_a, mirrored| {
+    let axes = |from_a: [&str; 3], mirrored| {
         [MeshFinding::Axes {
-            from_a,
+            from_a: from_a.map(|name| SignedAxis {
+                axis: "xyz".find(&name[name.len() - 1..]).unwrap(),
+                is_reversed: name.len() > 1,
+            }),
             mirrored,
             factor: 1.0,
             offset: [0.0; 3],
@@ -294,6 +298,7 @@ fn other_axes_are_named_together_with_a_scale_and_a_movement() {
     else {
         panic!("{found:?}");
     };
+    let from_a = from_a.map(SignedAxis::name);
     assert_eq!((from_a, offset), (["x", "-z", "y"], [0.0; 3]));
     assert!((factor / 100.0 - 1.0).abs() < 1e-6, "{factor}");
     let told = "B's x, y, z are x, -z, y of A: turned, or another axis points up, \
@@ -312,6 +317,7 @@ fn other_axes_are_named_together_with_a_scale_and_a_movement() {
     else {
         panic!("{found:?}");
     };
+    let from_a = from_a.map(SignedAxis::name);
     assert_eq!((from_a, factor), (["-x", "y", "z"], 1.0));
     assert!(near(offset, [1.0, 0.0, 0.0], 1e-6), "{offset:?}");
 
@@ -327,7 +333,7 @@ fn other_axes_are_named_together_with_a_scale_and_a_movement() {
     else {
         panic!("{found:?}");
     };
-    assert_eq!(from_a, ["z", "y", "x"]);
+    assert_eq!(from_a.map(SignedAxis::name), ["z", "y", "x"]);
     assert!((factor - 0.5).abs() < 1e-6 && near(offset, [0.0, 1.0, 0.0], 1e-6));
 }
 

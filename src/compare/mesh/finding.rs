@@ -1,3 +1,4 @@
+use super::signed_axis::SignedAxis;
 use crate::compare::Which;
 use glam::DVec3;
 use serde::Serialize;
@@ -29,7 +30,7 @@ pub enum MeshFinding {
     /// B is A with its axes exchanged or turned round.
     Axes {
         /// Which axis of A each of B's is, such as `x`, `-z`, `y`.
-        from_a: [&'static str; 3],
+        from_a: [SignedAxis; 3],
         /// Whether that mirrors the mesh.
         mirrored: bool,
         /// Size of B by size of A; one if they are as large.
@@ -167,15 +168,8 @@ impl MeshFinding {
                 offset,
                 ..
             } => {
-                let along = |axis: &str| {
-                    let (sign, name) = match axis.strip_prefix('-') {
-                        Some(name) => (-1.0, name),
-                        None => (1.0, axis),
-                    };
-                    let index = ["x", "y", "z"].iter().position(|known| *known == name);
-                    index.map_or(f64::NAN, |index| sign * point[index])
-                };
-                (DVec3::from_array(from_a.map(along)), *factor, offset)
+                let at = from_a.map(|axis| axis.of(point));
+                (DVec3::from_array(at), *factor, offset)
             }
             _ => return None,
         };
@@ -204,7 +198,8 @@ impl MeshFinding {
             }
             Self::Scaled { factor, .. } => (None, *factor),
             Self::Axes { from_a, factor, .. } => {
-                (Some(format!("the axes {}", from_a.join(", "))), *factor)
+                let axes = from_a.map(SignedAxis::name).join(", ");
+                (Some(format!("the axes {axes}")), *factor)
             }
             Self::Turned {
                 degrees,
@@ -259,7 +254,7 @@ impl fmt::Display for MeshFinding {
                 factor,
                 offset,
             } => {
-                let [x, y, z] = from_a;
+                let [x, y, z] = from_a.map(SignedAxis::name);
                 let how = if *mirrored { "mirrored" } else { "turned" };
                 write!(
                     f,
@@ -340,7 +335,8 @@ mod tests {
             ),
             (
                 MeshFinding::Axes {
-                    from_a: ["x", "-z", "y"],
+                    from_a: [(0, false), (2, true), (1, false)]
+                        .map(|(axis, is_reversed)| SignedAxis { axis, is_reversed }),
                     mirrored: false,
                     factor: 1.0,
                     offset,

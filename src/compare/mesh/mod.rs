@@ -5,11 +5,13 @@ mod matching;
 mod place;
 mod placement;
 mod rounding;
+mod signed_axis;
 mod words;
 
 pub use finding::MeshFinding;
 pub use place::{MeshParts, MeshPlace};
 pub(crate) use placement::nearest_rotation;
+pub use signed_axis::SignedAxis;
 
 use super::rules::Beside::{self, Everything, Only};
 use super::rules::{Rule, found_by, with_messages, without_names};

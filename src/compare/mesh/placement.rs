@@ -3,6 +3,7 @@
 
 use super::MeshFinding;
 use super::finding::is_told;
+use super::signed_axis::SignedAxis;
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 
@@ -20,7 +21,6 @@ const ORDERS: [[usize; 3]; 6] = [
     [1, 2, 0],
     [2, 0, 1],
 ];
-const AXIS_NAMES: [[&str; 2]; 3] = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
 /// More sweeps than any matrix of this size takes.
 const MOST_SWEEPS: usize = 32;
 
@@ -190,37 +190,41 @@ fn scale_about(points: &Points, (center_a, center_b): Centers) -> Option<MeshFin
 
 /// Axes exchanged or reversed, with a scale that takes the first of `centers` to the second.
 fn axes_about(points: &Points, (center_a, center_b): Centers, factor: f64) -> Option<MeshFinding> {
-    let all = ORDERS
-        .iter()
-        .flat_map(|&order| (0..8).map(move |signs| (order, signs)));
+    let all = ORDERS.iter().flat_map(|&order| {
+        let axis = move |signs: usize, along: usize| SignedAxis {
+            axis: order[along],
+            is_reversed: signs >> along & 1 == 1,
+        };
+        (0..8).map(move |signs| [0, 1, 2].map(|along| axis(signs, along)))
+    });
     let [turned, mirrored]: [Vec<_>; 2] = [false, true].map(|mirrored| {
         all.clone()
             .filter(|&axes| is_mirrored(axes) == mirrored)
             .collect()
     });
-    let placed = |(order, signs): ([usize; 3], usize), point: DVec3| {
-        let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
-        DVec3::from_array(std::array::from_fn(|axis| sign(axis) * point[order[axis]])) * factor
+    let placed = |axes: [SignedAxis; 3], point: DVec3| {
+        DVec3::from_array(axes.map(|axis| axis.of(point))) * factor
     };
     let found = turned
         .into_iter()
         .chain(mirrored)
         .find(|&axes| points.agree(factor, |point| placed(axes, point - center_a) + center_b))
         // The axes as they are, about the means: a movement too short to be told.
-        .filter(|&axes| axes != ([0, 1, 2], 0));
-    found.map(|(order, signs)| MeshFinding::Axes {
-        from_a: std::array::from_fn(|axis| AXIS_NAMES[order[axis]][signs >> axis & 1]),
-        mirrored: is_mirrored((order, signs)),
+        .filter(|axes| axes.map(SignedAxis::name) != ["x", "y", "z"]);
+    found.map(|from_a| MeshFinding::Axes {
+        from_a,
+        mirrored: is_mirrored(from_a),
         factor,
-        offset: (center_b - placed((order, signs), center_a)).to_array(),
+        offset: (center_b - placed(from_a, center_a)).to_array(),
     })
 }
 
 /// An odd number of exchanges and reversals mirrors.
-fn is_mirrored((order, signs): ([usize; 3], usize)) -> bool {
-    let kept = (0..3).filter(|&axis| order[axis] == axis).count();
+fn is_mirrored(axes: [SignedAxis; 3]) -> bool {
+    let kept = (0..3).filter(|&axis| axes[axis].axis == axis).count();
+    let reversed = axes.iter().filter(|axis| axis.is_reversed).count();
     let exchanged = kept == 1;
-    exchanged != (signs.count_ones() % 2 == 1)
+    exchanged != (reversed % 2 == 1)
 }
 
 /// Mirroring through a point and turning by `rotation` as mirroring along one axis and turning as

@@ -1,13 +1,11 @@
 //! Which limbs differ of a figure, by the bones of the characters in view.
 
 use super::FigureOff;
+use super::bones_seen::characters_seen;
 use crate::compare::Area;
 use crate::editor::Session;
-use crate::scene::bones_in_world;
 use glam::Vec2;
 
-/// Points along a bone that are looked at.
-const SAMPLES: u8 = 16;
 /// How far from a bone's line a pixel may be that is off where the bone is, by the picture's height: the line runs through the
 /// middle of a limb, which is off unless the limb has hardly moved.
 const AT_BONE: f32 = 0.012;
@@ -35,8 +33,8 @@ pub(super) struct Limb {
     pub percent: f64,
 }
 
-/// A bone in the picture.
-struct BoneSeen {
+/// A bone, and what differs along it.
+struct BoneBeside {
     joint: usize,
     ends: [Vec2; 2],
     /// Shares of its line that are off and that are right, 0 to 1. Nothing is known of where the figure is thin.
@@ -44,7 +42,7 @@ struct BoneSeen {
     right: f32,
 }
 
-impl BoneSeen {
+impl BoneBeside {
     fn distance(&self, pixel: Vec2) -> f32 {
         let [start, end] = self.ends;
         let along = end - start;
@@ -109,37 +107,26 @@ fn seen_limbs(
     session: &Session,
     [off, right]: [&[Vec2]; 2],
     size: Vec2,
-) -> Vec<(String, Vec<BoneSeen>)> {
-    let camera = &session.view().camera;
-    let (scene, evaluated) = (session.scene(), session.evaluated());
+) -> Vec<(String, Vec<BoneBeside>)> {
     let is_among =
         |at: Vec2, pixels: &[Vec2]| pixels.iter().any(|it| it.distance(at) <= AT_BONE * size.y);
-    let characters = scene.shapes().iter().filter(|shape| shape.visible);
-    let characters = characters.filter_map(|shape| Some((shape, scene.character(shape.id)?)));
-    let several = characters.clone().count() > 1;
-    let mut limbs: Vec<(String, Vec<BoneSeen>)> = Vec::new();
-    for (shape, character) in characters {
-        let Some(shown) = evaluated.shape(shape.id) else {
-            continue;
-        };
-        let joints = character.character.skeleton().joints();
-        let seen = bones_in_world(scene, shown).filter_map(|(joint, start, end)| {
-            let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
-            let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
-            let pixels: Vec<Vec2> = pixels.collect();
+    let mut limbs: Vec<(String, Vec<BoneBeside>)> = Vec::new();
+    for character in characters_seen(session, size) {
+        let joints = character.joints;
+        let seen = character.bones.iter().filter_map(|(joint, pixels)| {
             let ends = [*pixels.first()?, *pixels.last()?];
             let (of_off, others): (Vec<Vec2>, Vec<Vec2>) =
-                pixels.into_iter().partition(|&at| is_among(at, off));
+                pixels.iter().partition(|&&at| is_among(at, off));
             let of_right = others.iter().filter(|&&at| is_among(at, right)).count();
             let share = |count: usize| count as f32 / (of_off.len() + others.len()) as f32;
-            Some(BoneSeen {
-                joint,
+            Some(BoneBeside {
+                joint: *joint,
                 ends,
                 off: share(of_off.len()),
                 right: share(of_right),
             })
         });
-        let seen: Vec<BoneSeen> = seen.collect();
+        let seen: Vec<BoneBeside> = seen.collect();
         let above =
             |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
         let is_turned = |joint: usize| {
@@ -158,7 +145,7 @@ fn seen_limbs(
         if tops.iter().flatten().any(|&top| is_root(top)) {
             return Vec::new();
         }
-        let mut own: Vec<(usize, Vec<BoneSeen>)> = Vec::new();
+        let mut own: Vec<(usize, Vec<BoneBeside>)> = Vec::new();
         for bone in seen {
             let Some(top) = tops[bone.joint] else {
                 continue;
@@ -168,14 +155,8 @@ fn seen_limbs(
                 None => own.push((top, vec![bone])),
             }
         }
-        limbs.extend(own.into_iter().map(|(joint, bones)| {
-            let name = &joints[joint].name;
-            let whose = match several {
-                true => format!("{name} of {}", shape.name),
-                false => name.clone(),
-            };
-            (whose, bones)
-        }));
+        let named = |(joint, bones)| (character.name_of(joint), bones);
+        limbs.extend(own.into_iter().map(named));
     }
     limbs
 }

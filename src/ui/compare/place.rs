@@ -1,13 +1,11 @@
 //! Differences placed by the bones of the characters in view.
 
+use super::bones_seen::characters_seen;
 use crate::character::Joint;
 use crate::compare::{Area, sentence};
 use crate::editor::Session;
-use crate::scene::bones_in_world;
 use glam::Vec2;
 
-/// Points along a bone that are looked at.
-const SAMPLES: u8 = 8;
 /// How far outside an area a bone may be, by the picture's height: limbs are so thick.
 const NEAR: f32 = 0.04;
 
@@ -43,7 +41,7 @@ const AS_NEAR: f32 = 0.006;
 
 /// A bone beside an area of a picture.
 #[derive(Clone, Copy, Debug)]
-struct BoneSeen {
+struct BoneBeside {
     /// Whether a part of it is in the area, or near it.
     is_near: bool,
     /// Share of it that is in the area, 0 to 1.
@@ -53,7 +51,7 @@ struct BoneSeen {
     distance: f32,
 }
 
-impl BoneSeen {
+impl BoneBeside {
     /// A bone with points at `pixels`, beside the area that reaches `half` to all sides of `middle`.
     fn new(pixels: &[Vec2], middle: Vec2, half: Vec2, near: f32) -> Self {
         let outside = |pixel: &Vec2| ((pixel - middle).abs() - half).max(Vec2::ZERO).length();
@@ -74,37 +72,20 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let half = Vec2::new(area.width as f32, area.height as f32) / 2.0;
     let middle = Vec2::new(area.x as f32, area.y as f32) + half;
-    let camera = &session.view().camera;
-    let (scene, evaluated) = (session.scene(), session.evaluated());
     let mut nearest: Option<((usize, f32), String)> = None;
-    let characters = scene.shapes().iter().filter(|shape| shape.visible);
-    let characters = characters.filter_map(|shape| Some((shape, scene.character(shape.id)?)));
-    let several = characters.clone().count() > 1;
-    for (shape, character) in characters {
-        let Some(shown) = evaluated.shape(shape.id) else {
-            continue;
-        };
-        let joints = character.character.skeleton().joints();
-        let bones = bones_in_world(scene, shown).map(|(joint, start, end)| {
-            let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
-            let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
-            let pixels: Vec<Vec2> = pixels.collect();
-            (joint, BoneSeen::new(&pixels, middle, half, NEAR * size.y))
+    for character in characters_seen(session, size) {
+        let bones = character.bones.iter().map(|(joint, pixels)| {
+            let beside = BoneBeside::new(pixels, middle, half, NEAR * size.y);
+            (*joint, beside)
         });
-        let bones: Vec<(usize, BoneSeen)> = bones.collect();
-        let Some((place, joint)) = nearest_of(joints, &bones, AS_NEAR * size.y) else {
+        let bones: Vec<(usize, BoneBeside)> = bones.collect();
+        let found = nearest_of(character.joints, &bones, AS_NEAR * size.y);
+        let Some((place, joint)) = found else {
             continue;
         };
-        if nearest.as_ref().is_some_and(|(least, _)| *least <= place) {
-            continue;
+        if nearest.as_ref().is_none_or(|(least, _)| *least > place) {
+            nearest = Some((place, character.name_of(joint)));
         }
-        let name = &joints[joint].name;
-        let whose = if several {
-            format!("{name} of {}", shape.name)
-        } else {
-            name.clone()
-        };
-        nearest = Some((place, whose));
     }
     nearest.map(|(_, joint)| joint)
 }
@@ -113,7 +94,7 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
 /// `as_near` farther than the nearest counts as near as that.
 fn nearest_of(
     joints: &[Joint],
-    bones: &[(usize, BoneSeen)],
+    bones: &[(usize, BoneBeside)],
     as_near: f32,
 ) -> Option<((usize, f32), usize)> {
     let above = |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
