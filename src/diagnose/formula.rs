@@ -1,7 +1,7 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
 pub use super::factor_formula::{Divided, Factor, Factors, Shaped};
-pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped};
+pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached, Unfilled};
 pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
 use crate::character::Character;
 
@@ -38,6 +38,8 @@ pub struct Formula {
     pub popped: [Popped; 2],
     /// What B has left on the matrix stack when T begins.
     pub left_on_stack: LeftOnStack,
+    /// Joints for which something is worked out, and what the others have.
+    pub reached: (Reached, Unfilled),
     /// Whether joints have the transforms of their parents, and roots none, in T and in B.
     pub keeps_parents: [bool; 2],
     /// Whether the transforms of roots are multiplied on twice, in T and in B.
@@ -231,7 +233,11 @@ impl Formula {
         };
         let is_of_file = self.factors.are_of_file() || self.joint.about != About::Model;
         let has_shape = self.shaped == Shaped::Exactly || bind_shape.is_some();
-        has_parents && (!is_of_file || frames.is_some()) && has_shape
+        let has_unreached = match self.reached.0 {
+            Reached::All => true,
+            reached => reached.of(character.skeleton()).contains(&false),
+        };
+        has_unreached && has_parents && (!is_of_file || frames.is_some()) && has_shape
     }
 }
 
@@ -279,6 +285,7 @@ impl Default for Formula {
             other_joint: None,
             popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,
+            reached: (Reached::All, Unfilled::Zero),
             keeps_parents: [false; 2],
             roots_twice: [false; 2],
             begins_at_rest: false,

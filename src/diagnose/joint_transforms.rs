@@ -2,7 +2,7 @@
 
 use super::formula::{
     About, AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
-    Parents, Popped, Shaped,
+    Parents, Popped, Reached, Shaped, Unfilled,
 };
 use super::model::Model;
 use crate::character::{FileFrames, Pose};
@@ -133,9 +133,24 @@ impl<'a> Joints<'a> {
             }
         };
         let [current_of_parents, bind_of_parents] = formula.keeps_parents;
+        let mut current = kept(&tree, current_of_parents, current);
+        let mut bind = kept(&bind_tree, bind_of_parents, bind);
+        let (reached, unfilled) = formula.reached;
+        if reached != Reached::All {
+            let is_reached = reached.of(model.skeleton());
+            for (joint, _) in is_reached.iter().enumerate().filter(|(_, it)| !**it) {
+                current[joint] = match unfilled {
+                    Unfilled::Zero => DAffine3::ZERO,
+                    Unfilled::Identity | Unfilled::IdentityInBoth => DAffine3::IDENTITY,
+                };
+                if unfilled == Unfilled::IdentityInBoth {
+                    bind[joint] = DAffine3::IDENTITY;
+                }
+            }
+        }
         Self {
-            current: kept(&tree, current_of_parents, current),
-            bind: kept(&bind_tree, bind_of_parents, bind),
+            current,
+            bind,
             order,
             frames,
         }
@@ -165,6 +180,8 @@ impl<'a> Joints<'a> {
             self.frames.and_then(matrix).unwrap_or_default()
         };
         match factor {
+            // Where nothing is worked out, the fourth row is 0 as well.
+            Factor::Current if current == DAffine3::ZERO => DMat4::ZERO,
             Factor::Current => current.into(),
             Factor::Bind => bind.into(),
             Factor::InverseBind => bind.inverse().into(),

@@ -1,7 +1,7 @@
 //! Mistakes of a whole program, which are made in few ways: they are tried by themselves before any two together, and
 //! beside each of the others.
 
-use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped};
+use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped, Reached, Unfilled};
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
 use super::of_collada::{ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING};
 use super::of_weighted_sum::{
@@ -110,6 +110,56 @@ static STACK_NOT_POPPED: Mistake = Mistake {
             |formula| {
                 formula.left_on_stack = LeftOnStack::Root;
             },
+        ),
+    ],
+};
+
+/// Joints that the recursion comes to, and what a program has for the others.
+macro_rules! reached {
+    ($how:literal, $reached:ident, $unfilled:ident) => {
+        reading($how, |formula| {
+            formula.reached = (Reached::$reached, Unfilled::$unfilled);
+        })
+    };
+}
+
+/// A mistake in the loop over the children of a joint.
+static JOINTS_NOT_REACHED: Mistake = Mistake {
+    id: "joints-not-reached",
+    meaning: "the recursion over the joints does not come to all of them",
+    section: SKELETON,
+    look_at: "the recursion over the joints: it works out each joint's matrices, those of joints without children as well, \
+              and its loop goes over all children",
+    readings: &[
+        reached!(
+            "only to the first child of each, and the matrices of the others stay 0",
+            FirstChildren,
+            Zero
+        ),
+        reached!(
+            "only to the first child of each, and vertices of the others stay at rest",
+            FirstChildren,
+            IdentityInBoth
+        ),
+        reached!(
+            "only to the first child of each, and T of the others stays the identity",
+            FirstChildren,
+            Identity
+        ),
+        reached!(
+            "not to those without children, and the matrices of the others stay 0",
+            ButLeaves,
+            Zero
+        ),
+        reached!(
+            "not to those without children, and vertices of the others stay at rest",
+            ButLeaves,
+            IdentityInBoth
+        ),
+        reached!(
+            "not to those without children, and T of the others stays the identity",
+            ButLeaves,
+            Identity
         ),
     ],
 };
@@ -334,7 +384,7 @@ pub(super) static ROTATION_REPEATED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 30] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 31] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -342,6 +392,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 30] = [
     &ROOT_ANGLES_MISSING,
     &ROOT_NOT_MOVED,
     &STACK_NOT_POPPED,
+    &JOINTS_NOT_REACHED,
     &PARENTS_MISREAD,
     &TRANSLATION_OVERWRITTEN,
     &ROOT_TRANSLATION_MISSING,

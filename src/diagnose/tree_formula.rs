@@ -99,3 +99,51 @@ pub enum LeftOnStack {
     /// by itself so many times as transforms have been computed at rest.
     LastVisited(usize),
 }
+
+/// Joints that the recursion over the tree comes to. It comes to none that hangs on one that it does not come to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reached {
+    /// All.
+    All,
+    /// All but those without children.
+    ButLeaves,
+    /// Roots, the first child of each, and so on.
+    FirstChildren,
+}
+
+impl Reached {
+    /// Whether each joint is reached.
+    pub(super) fn of(self, skeleton: &SkeletalModel) -> Vec<bool> {
+        let joints = skeleton.joints();
+        let mut first_children = vec![None; joints.len()];
+        for (joint, parent) in joints.iter().map(|joint| joint.parent).enumerate() {
+            if let Some(parent) = parent {
+                first_children[parent].get_or_insert(joint);
+            }
+        }
+        let comes_to = |joint: usize| match self {
+            Self::All => true,
+            Self::ButLeaves => first_children[joint].is_some(),
+            Self::FirstChildren => {
+                let parent = joints[joint].parent;
+                parent.is_none_or(|parent| first_children[parent] == Some(joint))
+            }
+        };
+        let above =
+            |joint| std::iter::successors(Some(joint), |&joint: &usize| joints[joint].parent);
+        (0..joints.len())
+            .map(|joint| above(joint).all(comes_to))
+            .collect()
+    }
+}
+
+/// What a program has for a joint that nothing is worked out for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfilled {
+    /// T is 0, as a new `Matrix4f` of the course's library is.
+    Zero,
+    /// T is the identity.
+    Identity,
+    /// So is B.
+    IdentityInBoth,
+}

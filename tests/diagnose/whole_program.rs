@@ -925,6 +925,69 @@ fn a_stack_that_is_popped_after_some_joints_alone_is_named_with_which() {
     }
 }
 
+/// Which children a recursion goes on to: told are the number of each among its siblings, and whether it has none itself.
+type GoesTo = fn(usize, bool) -> bool;
+
+/// Keeps the transform of `joint`, which hangs on one with `above`, and of those that the recursion goes on to.
+fn recurse(
+    figure: &Figure,
+    (own, goes_to): (&[Mat4], GoesTo),
+    (joint, above): (usize, Mat4),
+    kept: &mut [Option<Mat4>],
+) {
+    let model_from_joint = above * own[joint];
+    kept[joint] = Some(model_from_joint);
+    let children = |of: usize| {
+        let parents = figure.parents.iter().enumerate();
+        parents.filter_map(move |(child, parent)| (*parent == Some(of)).then_some(child))
+    };
+    for (number, child) in children(joint).enumerate() {
+        if goes_to(number, children(child).next().is_none()) {
+            recurse(figure, (own, goes_to), (child, model_from_joint), kept);
+        }
+    }
+}
+
+#[test]
+fn a_recursion_that_does_not_come_to_all_joints_is_named_with_where_it_goes() {
+    let figure = Figure::builtin("adult", turned(91));
+    let [own, own_at_rest] = own_transforms(&figure);
+    let root = figure.parents.iter().position(Option::is_none).unwrap();
+    let [_, right] = joint_to_world(&figure);
+    for (goes_to, how) in [
+        (
+            (|number, _| number == 0) as GoesTo,
+            "only to the first child of each",
+        ),
+        (|_, is_leaf| !is_leaf, "not to those without children"),
+    ] {
+        let [t, b] = [&own, &own_at_rest].map(|own| {
+            let mut kept = vec![None; own.len()];
+            recurse(&figure, (own, goes_to), (root, Mat4::IDENTITY), &mut kept);
+            kept
+        });
+        let zero = |joint: usize| t[joint].unwrap_or(Mat4::ZERO);
+        let identity = |joint: usize| t[joint].unwrap_or_default();
+        let bind = |joint: usize| b[joint].unwrap_or_default();
+        for (found, and) in [
+            (
+                moved_by(&figure, |joint| zero(joint) * right[joint].inverse()),
+                "the matrices of the others stay 0",
+            ),
+            (
+                moved_by(&figure, |joint| identity(joint) * right[joint].inverse()),
+                "T of the others stays the identity",
+            ),
+            (
+                moved_by(&figure, |joint| identity(joint) * bind(joint).inverse()),
+                "vertices of the others stay at rest",
+            ),
+        ] {
+            assert_named(&found, "joints-not-reached", &format!("{how}, and {and}"));
+        }
+    }
+}
+
 #[test]
 fn two_signs_that_are_wrong_are_told_as_these() {
     let slider = |angles: Vec3| Vec3::new(-angles.x, angles.y, -angles.z);
