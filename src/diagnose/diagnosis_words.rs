@@ -1,7 +1,7 @@
 //! What is found out about a mesh, in words.
 
 use super::diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
-use super::mistake::LOOK_AT_PLACE;
+use super::mistake::{LOOK_AT_PLACE, Mistake};
 use super::other_pose::OtherPose;
 use super::precision::Coarse;
 use crate::compare::MeshFinding;
@@ -200,6 +200,11 @@ impl Diagnosis {
         if !self.same_as.is_empty() {
             let all: Vec<String> = self.same_as.iter().map(|ids| together(ids)).collect();
             write!(f, "\n  indistinguishable here: {}", all.join(", "))?;
+            if let [ids] = &*self.same_as {
+                for other in ids.iter().filter_map(|id| Mistake::find(id)) {
+                    write!(f, "\n           {}: {}", other.id, other.meaning)?;
+                }
+            }
         }
         Ok(())
     }

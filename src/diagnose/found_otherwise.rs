@@ -78,7 +78,7 @@ pub(super) static JOINT_LEFT_OUT: Mistake = Mistake {
     id: "joint-left-out",
     meaning: "the weights of one joint are left out",
     section: SSD,
-    look_at: "updateMeshVertices: the loop over the joints, from the first to the last",
+    look_at: "updateMeshVertices and where the .attach file is read: the loops over the joints, from the first to the last",
     readings: &[reading("the last one", |formula| {
         formula.weights.columns = Columns::WithoutLast;
     })],

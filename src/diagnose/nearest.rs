@@ -18,7 +18,8 @@ pub(super) const NEARLY_ALL: f64 = 0.99;
 pub struct Nearest {
     /// The mistake.
     pub mistake: ToldMistake,
-    /// By which part the mean distance is less than from the exact mesh, 0 to 1.
+    /// By which part the mean distance is less than from the exact mesh, or from the middle of the mesh where that is less,
+    /// 0 to 1. What shrinks to a point is near to all that shrinks to a point.
     pub explains: f64,
     /// Share of the vertices that agree with the mesh that it gives, 0 to 1.
     pub agrees: f64,
@@ -47,18 +48,19 @@ pub(super) fn find(
         ..Formula::default()
     };
     let exact = search.nearness(&mut Skinner::new(model, pose, &exact));
-    let told = |one: &Alone, off: usize| {
-        let agrees = 1.0 - off as f64 / search.theirs.len() as f64;
+    let off = exact.mean.min(search.distance_from_middle());
+    let told = |one: &Alone, vertices: usize| {
+        let agrees = 1.0 - vertices as f64 / search.theirs.len() as f64;
         Nearest {
             mistake: ToldMistake::new(one.made),
-            explains: 1.0 - one.nearness.mean / exact.mean,
+            explains: 1.0 - one.nearness.mean / off,
             agrees,
-            off,
+            off: vertices,
         }
     };
     let most = alone.iter().rev().max_by_key(|one| one.nearness.agreeing)?;
     if most.nearness.agreeing > exact.agreeing
-        && let Some(nearest) = search.off(most.made).map(|off| told(most, off))
+        && let Some(nearest) = search.off(most.made).map(|vertices| told(most, vertices))
         && nearest.is_nearly_all()
     {
         return Some(nearest);

@@ -114,12 +114,20 @@ static STACK_NOT_POPPED: Mistake = Mistake {
     ],
 };
 
-/// Joints that the recursion comes to, and what a program has for the others.
+/// The ways not to come to joints, by what a program has for these.
 macro_rules! reached {
-    ($how:literal, $reached:ident, $unfilled:ident) => {
-        reading($how, |formula| {
-            formula.reached = (Reached::$reached, Unfilled::$unfilled);
-        })
+    ($($to:literal = $reached:ident),+) => {
+        &[$(
+            reading(concat!($to, ", and the matrices of the others stay 0"), |formula| {
+                formula.reached = (Reached::$reached, Unfilled::Zero);
+            }),
+            reading(concat!($to, ", and vertices of the others stay at rest"), |formula| {
+                formula.reached = (Reached::$reached, Unfilled::IdentityInBoth);
+            }),
+            reading(concat!($to, ", and T of the others stays the identity"), |formula| {
+                formula.reached = (Reached::$reached, Unfilled::Identity);
+            }),
+        )+]
     };
 }
 
@@ -129,39 +137,14 @@ static JOINTS_NOT_REACHED: Mistake = Mistake {
     meaning: "the recursion over the joints does not come to all of them",
     section: SKELETON,
     look_at: "the recursion over the joints: it works out each joint's matrices, those of joints without children as well, \
-              and its loop goes over all children",
-    readings: &[
-        reached!(
-            "only to the first child of each, and the matrices of the others stay 0",
-            FirstChildren,
-            Zero
-        ),
-        reached!(
-            "only to the first child of each, and vertices of the others stay at rest",
-            FirstChildren,
-            IdentityInBoth
-        ),
-        reached!(
-            "only to the first child of each, and T of the others stays the identity",
-            FirstChildren,
-            Identity
-        ),
-        reached!(
-            "not to those without children, and the matrices of the others stay 0",
-            ButLeaves,
-            Zero
-        ),
-        reached!(
-            "not to those without children, and vertices of the others stay at rest",
-            ButLeaves,
-            IdentityInBoth
-        ),
-        reached!(
-            "not to those without children, and T of the others stays the identity",
-            ButLeaves,
-            Identity
-        ),
-    ],
+              and its loop goes over all children, from the first to the last",
+    readings: reached!(
+        "only to the first child of each" = First,
+        "only to the last child of each" = Last,
+        "not to the first child of each" = ButFirst,
+        "not to the last child of each" = ButLast,
+        "not to those without children" = ButLeaves
+    ),
 };
 
 /// A mistake in how the pose comes to joints.

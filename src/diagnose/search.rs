@@ -243,6 +243,21 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Mean distance of the mesh from its own middle, of the vertices by which nearness is told.
+    pub(super) fn distance_from_middle(&self) -> f64 {
+        let spread = &self.sample[self.theirs.len().min(WORST)..];
+        let count = spread.len().max(1) as f64;
+        let middle = spread
+            .iter()
+            .map(|&index| self.theirs[index])
+            .sum::<DVec3>()
+            / count;
+        let away = spread
+            .iter()
+            .map(|&index| self.metric.between(self.theirs[index], middle));
+        away.sum::<f64>() / count
+    }
+
     /// How many vertices of all are off from the mesh with one mistake.
     pub(super) fn off(&self, made: Made) -> Option<usize> {
         let mut skinner = self.skinner(&formula(&[made]))?;

@@ -36,7 +36,7 @@ pub(super) enum Metric {
 }
 
 impl Metric {
-    fn between(self, one: DVec3, other: DVec3) -> f64 {
+    pub(super) fn between(self, one: DVec3, other: DVec3) -> f64 {
         match self {
             Self::Straight => one.distance(other),
             Self::ByCoordinate => match one - other {

@@ -24,12 +24,12 @@ pub(super) async fn find(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanati
         let Some(range) = range(alone, rescaled, pace).await else {
             continue;
         };
-        let least = range.roundest();
+        let (least, below) = range.told();
         let formula = kept(alone, Kept::From(least), rescaled);
         let given = alone.given_by(&formula, &SMALL_WEIGHTS_LEFT_OUT, pace);
         if let Some(given) = given.await {
             return Some(Explanation {
-                how: Some(format!("those below {least}{others}")),
+                how: Some(format!("those {below}{others}")),
                 ..given
             });
         }
@@ -58,6 +58,18 @@ impl Range {
             up_to: self.up_to.min(other.up_to),
         };
         (common.above < common.up_to).then_some(common)
+    }
+
+    /// One of the numbers, and what is left out in words: those up to the largest weight that is, if that has fewer digits.
+    fn told(self) -> (f64, String) {
+        let least = self.roundest();
+        let largest_out = (self.above as f32).to_string();
+        let has_fewer = self.above > 0.0 && largest_out.len() < least.to_string().len();
+        let below = match has_fewer {
+            true => format!("up to {largest_out}"),
+            false => format!("below {least}"),
+        };
+        (least, below)
     }
 
     /// Of the numbers that are in it in single precision the one with the fewest digits.
@@ -137,15 +149,16 @@ mod tests {
 
     #[test]
     fn of_a_range_the_number_with_the_fewest_digits_is_told() {
-        for (above, up_to, expected) in [
-            (0.0095, f64::from(0.01_f32), 0.01),
-            (0.0099, 0.0101, 0.01),
-            (0.012, 0.0138, 0.013),
-            (f64::from(0.05_f32), 0.0513, 0.051),
-            (0.0, f64::from(0.4_f32), 0.4),
-            (0.000_98, 0.001_02, 0.001),
+        for (above, up_to, least, told) in [
+            (0.0095, f64::from(0.01_f32), 0.01, "below 0.01"),
+            (0.0099, 0.0101, 0.01, "below 0.01"),
+            (0.012, 0.0138, 0.013, "below 0.013"),
+            (f64::from(0.05_f32), 0.0513, 0.051, "up to 0.05"),
+            (0.5, f64::from(0.5001_f32), 0.5001, "up to 0.5"),
+            (0.0, f64::from(0.4_f32), 0.4, "below 0.4"),
+            (0.000_98, 0.001_02, 0.001, "below 0.001"),
         ] {
-            assert_eq!(Range { above, up_to }.roundest(), expected);
+            assert_eq!(Range { above, up_to }.told(), (least, told.to_owned()));
         }
     }
 }

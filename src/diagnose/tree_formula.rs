@@ -100,33 +100,46 @@ pub enum LeftOnStack {
     LastVisited(usize),
 }
 
-/// Joints that the recursion over the tree comes to. It comes to none that hangs on one that it does not come to.
+/// Joints that the recursion over the tree comes to. It comes to roots, and to none that hangs on one that it does not come
+/// to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reached {
     /// All.
     All,
     /// All but those without children.
     ButLeaves,
-    /// Roots, the first child of each, and so on.
-    FirstChildren,
+    /// The first child of each in the file.
+    First,
+    /// The last child of each.
+    Last,
+    /// All but the first child of each.
+    ButFirst,
+    /// All but the last child of each.
+    ButLast,
 }
 
 impl Reached {
     /// Whether each joint is reached.
     pub(super) fn of(self, skeleton: &SkeletalModel) -> Vec<bool> {
         let joints = skeleton.joints();
-        let mut first_children = vec![None; joints.len()];
+        let mut ends: Vec<Option<(usize, usize)>> = vec![None; joints.len()];
         for (joint, parent) in joints.iter().map(|joint| joint.parent).enumerate() {
             if let Some(parent) = parent {
-                first_children[parent].get_or_insert(joint);
+                let (first, _) = ends[parent].unwrap_or((joint, joint));
+                ends[parent] = Some((first, joint));
             }
         }
-        let comes_to = |joint: usize| match self {
-            Self::All => true,
-            Self::ButLeaves => first_children[joint].is_some(),
-            Self::FirstChildren => {
-                let parent = joints[joint].parent;
-                parent.is_none_or(|parent| first_children[parent] == Some(joint))
+        let comes_to = |joint: usize| {
+            let Some((first, last)) = joints[joint].parent.and_then(|parent| ends[parent]) else {
+                return true;
+            };
+            match self {
+                Self::All => true,
+                Self::ButLeaves => ends[joint].is_some(),
+                Self::First => joint == first,
+                Self::Last => joint == last,
+                Self::ButFirst => joint != first,
+                Self::ButLast => joint != last,
             }
         };
         let above =

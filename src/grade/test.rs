@@ -104,6 +104,24 @@ impl Test {
         })
     }
 
+    /// Words about a mesh all vertices of which are at `place`.
+    fn in_one_place(&self, place: Vec3) -> String {
+        if place != Vec3::ZERO {
+            let Vec3 { x, y, z } = place;
+            return format!("all vertices are in one place, ({x}, {y}, {z})");
+        }
+        let mut weights = self.character.attachments().vertices().flatten();
+        let all_are_parts = weights.all(|influence| influence.weight < 1.0);
+        let as_whole_numbers = match all_are_parts {
+            true => ", and so are weights that are read as whole numbers",
+            false => "",
+        };
+        format!(
+            "all vertices are at the origin: are the joints' matrices filled, T and the inverse of B? New ones are \
+             0{as_whole_numbers}"
+        )
+    }
+
     /// What the file with the content `bytes` is. Where it is the exact result of another one of `tests`, it was
     /// handed in under a wrong name.
     pub fn grade(&self, bytes: &[u8], tests: &[Self]) -> Graded {
@@ -150,10 +168,7 @@ impl Test {
         warnings.extend(no_numbers.as_ref().map(|found| found.told(&name)));
         let places = &theirs.positions;
         if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
-            return Graded::without(
-                Outcome::Blank,
-                "all vertices are in one place: are the weights read as whole numbers, which are 0?",
-            );
+            return Graded::without(Outcome::Blank, self.in_one_place(places[0]));
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {

@@ -5,7 +5,7 @@ use crate::diagnose::figures::Figure;
 use glam::{Mat4, Vec3};
 
 /// Weights that count, each with the index of its joint.
-type Weights = Vec<(usize, f32)>;
+pub type Weights = Vec<(usize, f32)>;
 
 /// The parts of the program that a mistake may be in.
 #[derive(Clone)]

@@ -2,7 +2,7 @@
 
 use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, turned, written};
-use crate::diagnose::student::{RIGHT, with};
+use crate::diagnose::student::{RIGHT, Student, Weights, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, NearlyRight, Verdict, diagnose};
@@ -202,6 +202,26 @@ fn a_mistake_that_explains_much_but_not_all_is_told_as_the_nearest() {
     let nearest = found.nearest.as_ref().unwrap();
     assert_eq!(nearest.mistake.id, "weights-shifted");
     assert!(nearest.explains > 0.9 && nearest.explains < 1.0, "{found}");
+}
+
+#[test]
+fn no_mistake_is_the_nearest_to_a_mesh_that_shrinks_to_a_point() {
+    // As of `if (weight == 0) break;` in the loop over the joints.
+    let leading = |weights: Weights| {
+        let joints = weights.into_iter().zip(1..);
+        let joints = joints.take_while(|((joint, _), place)| joint == place);
+        joints.map(|(weight, _)| weight).collect()
+    };
+    for seed in 1..4 {
+        let figure = Figure::builtin("adult", turned(seed));
+        let student = Student {
+            weights: leading,
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+        assert_eq!(found.nearest, None, "{found}");
+    }
 }
 
 #[test]

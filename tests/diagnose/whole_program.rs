@@ -739,6 +739,9 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     let found = figure.diagnose(&written(&with(&["translation-missing"]).skin(&figure), 6));
     assert_eq!(found.mistakes[0].how, "in T and in B", "{found}");
     assert_eq!(found.causes, ["translation-missing", "vertex-without-w"]);
+    // The name of what gives the same is not all that is said of it.
+    let told = "indistinguishable here: vertex-without-w\n           vertex-without-w: ";
+    assert!(found.to_string().contains(told), "{found}");
     // As a student makes the other one, who gets the same mesh by it.
     let without_w = Student {
         moved: |matrix, vertex| matrix.transform_vector3(vertex),
@@ -925,8 +928,15 @@ fn a_stack_that_is_popped_after_some_joints_alone_is_named_with_which() {
     }
 }
 
-/// Which children a recursion goes on to: told are the number of each among its siblings, and whether it has none itself.
-type GoesTo = fn(usize, bool) -> bool;
+/// A child of a joint.
+struct Child {
+    number: usize,
+    of: usize,
+    is_leaf: bool,
+}
+
+/// Which children a recursion goes on to.
+type GoesTo = fn(Child) -> bool;
 
 /// Keeps the transform of `joint`, which hangs on one with `above`, and of those that the recursion goes on to.
 fn recurse(
@@ -942,7 +952,11 @@ fn recurse(
         parents.filter_map(move |(child, parent)| (*parent == Some(of)).then_some(child))
     };
     for (number, child) in children(joint).enumerate() {
-        if goes_to(number, children(child).next().is_none()) {
+        if goes_to(Child {
+            number,
+            of: children(joint).count(),
+            is_leaf: children(child).next().is_none(),
+        }) {
             recurse(figure, (own, goes_to), (child, model_from_joint), kept);
         }
     }
@@ -956,10 +970,19 @@ fn a_recursion_that_does_not_come_to_all_joints_is_named_with_where_it_goes() {
     let [_, right] = joint_to_world(&figure);
     for (goes_to, how) in [
         (
-            (|number, _| number == 0) as GoesTo,
+            (|child| child.number == 0) as GoesTo,
             "only to the first child of each",
         ),
-        (|_, is_leaf| !is_leaf, "not to those without children"),
+        (
+            |child| child.number + 1 == child.of,
+            "only to the last child of each",
+        ),
+        (|child| child.number > 0, "not to the first child of each"),
+        (
+            |child| child.number + 1 < child.of,
+            "not to the last child of each",
+        ),
+        (|child| !child.is_leaf, "not to those without children"),
     ] {
         let [t, b] = [&own, &own_at_rest].map(|own| {
             let mut kept = vec![None; own.len()];

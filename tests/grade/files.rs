@@ -168,7 +168,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "blank",
             "the file has no vertices: 2 lines with three numbers begin without the v of v x y z",
         ),
-        ("gus", "blank", "all vertices are in one place"),
+        ("gus", "blank", "all vertices are at the origin"),
         ("hal", "unreadable", "adult-1.obj"),
         (
             "ida",
