@@ -46,10 +46,15 @@ impl ShapeTurn {
         }
     }
 
-    /// The same about the line of sight from `eye` to the pivot. `None` if the eye is there.
-    pub fn about_sight(group: ShapeGroup, eye: Vec3, ray: &Ray) -> Option<Self> {
-        let axis = group.pivot() - eye;
-        Self::begin(group, axis, ray.at(axis.length()), ray)
+    /// The same about the direction in which a camera looks, `forward`, which is an axis of the world in a view along that,
+    /// wherever in the picture the pivot is. The cursor grabs the point beside the pivot. `None` if the ray does not lead
+    /// there.
+    pub fn about_view(group: ShapeGroup, forward: Vec3, ray: &Ray) -> Option<Self> {
+        let away = (group.pivot() - ray.origin).dot(forward) / ray.direction.dot(forward);
+        let grabbed = ray.at(away);
+        grabbed
+            .is_finite()
+            .then(|| Self::begin(group, forward, grabbed, ray))?
     }
 
     /// Edit that turns the shapes for the cursor on `ray`; with `snap` in steps of 15° from the

@@ -2,7 +2,7 @@
 
 use crate::interface::{Editor, figure};
 use editor_core::character::COURSE_JOINT_NAMES;
-use editor_core::editor::{Edit, View};
+use editor_core::editor::{Edit, GizmoAxes, RotationGizmo, View};
 use editor_core::math::Transform;
 use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterDisplay, Look, ModelDisplay, ShapeKind, bones_in_world};
@@ -31,6 +31,17 @@ impl Editor {
         let camera = self.session().view().camera;
         let pixel = camera.pixel(world, size).expect("before the eye");
         view.min + vec2(pixel.x, pixel.y)
+    }
+
+    /// Where the ring about the axis of `joint` that faces the eye is at an angle in degrees, counterclockwise from the right.
+    fn on_ring(&self, joint: usize, degrees: f32) -> Pos2 {
+        let view = self.harness.state().view;
+        let size = glam::vec2(view.width(), view.height());
+        let (session, shape) = (self.session(), self.shape().id);
+        let rings = RotationGizmo::new(session, shape, joint, GizmoAxes::Local, size);
+        let radius = rings.expect("it is before the eye").free_radius();
+        let radius = radius * RotationGizmo::RADIUS / RotationGizmo::FREE_RADIUS;
+        self.place(self.bone(joint).0) + radius * Vec2::angled(-degrees.to_radians())
     }
 
     /// Both ends in the world of the first bone of a joint of the selected character.
@@ -522,10 +533,9 @@ fn a_click_on_a_bone_shows_rings_that_turn_it_about_one_axis() {
     let at = editor.on_bone(LEFT_ELBOW);
     editor.click_at(at);
     assert_eq!(editor.session().selected_joint(), Some(LEFT_ELBOW));
-    let middle = editor.place(editor.bone(LEFT_ELBOW).0);
     // Seen from +Z the ring about Z is a circle about the joint.
-    let on_ring = |degrees: f32| middle + 72.0 * Vec2::angled(-degrees.to_radians());
-    editor.hand(on_ring(80.0), on_ring(110.0));
+    let [from, to] = [80.0, 110.0].map(|degrees| editor.on_ring(LEFT_ELBOW, degrees));
+    editor.hand(from, to);
     let turned = editor.joint(LEFT_ELBOW);
     assert!(
         turned.abs_diff_eq(Vec3::new(0.0, 0.0, 30.0), 1.5),
@@ -631,9 +641,8 @@ fn a_joint_clicked_in_the_list_shows_its_rings_though_its_bone_was_just_turned()
     editor.hand(from, from + vec2(-20.0, 60.0));
     editor.click("Reset Left elbow");
     editor.click("Left elbow");
-    let middle = editor.place(editor.bone(LEFT_ELBOW).0);
-    let on_ring = |degrees: f32| middle + 72.0 * Vec2::angled(-degrees.to_radians());
-    editor.hand(on_ring(80.0), on_ring(110.0));
+    let [from, to] = [80.0, 110.0].map(|degrees| editor.on_ring(LEFT_ELBOW, degrees));
+    editor.hand(from, to);
     let turned = editor.joint(LEFT_ELBOW);
     let expected = Vec3::new(0.0, 0.0, 30.0);
     assert!(turned.abs_diff_eq(expected, 1.5), "{turned}");

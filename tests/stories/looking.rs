@@ -2,7 +2,7 @@
 //! the assignment say that they do.
 
 use super::{Story, differing};
-use editor_core::editor::{Tool, View};
+use editor_core::editor::{GizmoAxes, RotationGizmo, Tool, View};
 use editor_core::scene::{Camera, Look, Shading, ShapeKind, ViewDirection};
 use editor_core::ui::{COMMANDS, Command, Navigation};
 use egui::{
@@ -254,6 +254,56 @@ fn what_is_turned_or_scaled_about_its_middle_is_put_back_where_it_was() {
             (before.rotation, before.scale)
         );
     }
+}
+
+#[test]
+fn a_typed_turn_is_about_the_axis_that_one_looks_along_wherever_the_shape_is_in_the_picture() {
+    for (direction, axis) in [
+        (ViewDirection::PlusZ, Vec3::Z),
+        (ViewDirection::PlusX, Vec3::X),
+        (ViewDirection::PlusY, Vec3::Y),
+    ] {
+        let mut story = Story::start(&["builtin:gem"]);
+        story.program.ui_mut().set_navigation(Navigation::Blender);
+        let id = story.session().selected().unwrap();
+        let mut aside = Camera::preset(direction);
+        aside.target += Vec3::new(0.7, -0.4, 0.3);
+        let seen = View::SetCamera(aside);
+        story.program.session_mut().look(seen);
+        story.settle();
+        for key in [Key::R, Key::Num4, Key::Num5, Key::Enter] {
+            story.key(key);
+        }
+        let shape = story.session().scene().shape(id).unwrap();
+        let turned = shape.placement.transform.rotation.degrees();
+        assert!(turned.abs().abs_diff_eq(45.0 * axis, 1e-3), "{turned}");
+    }
+}
+
+#[test]
+fn rings_at_a_joint_of_a_small_figure_do_not_reach_over_its_other_limbs() {
+    let mut story = Story::start(&["builtin:adult"]);
+    let id = story.session().selected().unwrap();
+    let radius_and_height = |story: &Story| {
+        let session = story.session();
+        let size = story.view().size();
+        let size = Vec2::new(size.x, size.y);
+        let rings = RotationGizmo::new(session, id, 0, GizmoAxes::Local, size).unwrap();
+        let bounds = session.evaluated().shape(id).unwrap().world_bounds();
+        let [top, bottom] = [bounds.max.y, bounds.min.y].map(|y| {
+            let middle = bounds.center().with_y(y);
+            session.view().camera.pixel(middle, size).unwrap().y
+        });
+        (rings.free_radius(), bottom - top)
+    };
+    let (radius, height) = radius_and_height(&story);
+    assert_eq!(radius, RotationGizmo::FREE_RADIUS, "of {height}");
+    let mut away = story.session().view().camera;
+    away.radius *= 2.5;
+    story.program.session_mut().look(View::SetCamera(away));
+    story.settle();
+    let (radius, height) = radius_and_height(&story);
+    assert!(radius < 0.4 * height, "{radius} of {height}");
 }
 
 #[test]

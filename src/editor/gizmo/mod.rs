@@ -40,7 +40,7 @@ impl GizmoAxes {
 pub enum Handle {
     /// Turns about an axis.
     Ring(usize),
-    /// Turns about the line of sight, or scales all axes alike.
+    /// Turns about the direction of view, or scales all axes alike.
     FreeRing,
     /// Moves or scales along an axis.
     Arrow(usize),

@@ -17,7 +17,7 @@ const END: f32 = 0.85;
 /// cross, the latter is the one along which the pointer can go.
 const EDGE_ON_HANDICAP: f32 = 6.0;
 
-/// Gizmo to rotate a joint or shapes: three rings about axes, and one about the line of sight.
+/// Gizmo to rotate a joint or shapes: three rings about axes, and one about the direction of view.
 ///
 /// Rotations of a joint happen in the character's space, so if the shape is scaled non-uniformly,
 /// a ring is the ellipse along which a point would really move. Shapes turn in the world.
@@ -26,6 +26,8 @@ pub struct RotationGizmo {
     screen: Screen,
     center: Vec3,
     center_pixel: Vec2,
+    /// Radius of the rings, in pixels.
+    radius: f32,
     rings: [Option<Ring>; 3],
 }
 
@@ -51,10 +53,15 @@ pub struct RingPoint {
 }
 
 impl RotationGizmo {
-    /// Radius of the rings, in pixels.
+    /// Largest radius of the rings, in pixels.
     pub const RADIUS: f32 = 72.0;
-    /// Radius of the ring about the line of sight, in pixels.
+    /// Largest radius of the ring about the direction of view, in pixels.
     pub const FREE_RADIUS: f32 = 88.0;
+    /// Radius of the rings at a joint of a small figure, as a share of the figure's diagonal: larger ones lie over other
+    /// limbs and are grabbed in place of these.
+    const OF_FIGURE: f32 = 0.2;
+    /// Smallest radius of the rings, in pixels.
+    const SMALLEST: f32 = 36.0;
 
     /// Gizmo of `joint`, in a picture of `size` pixels with the session's camera. `None` if there
     /// is no such joint, or it is not in front of the camera.
@@ -75,7 +82,10 @@ impl RotationGizmo {
         let frame = Mat3::from_mat4(*figure.model_from_joint.get(joint)?);
         let stretch = Mat3::from_mat4(evaluated.world_from_model);
         let center = turn.world_center().as_vec3();
-        let radius = Self::RADIUS * screen.world_per_pixel(center)?;
+        let per_pixel = screen.world_per_pixel(center)?;
+        let diagonal = evaluated.world_bounds().size().length() / per_pixel;
+        let pixels = (Self::OF_FIGURE * diagonal).clamp(Self::SMALLEST, Self::RADIUS);
+        let radius = pixels * per_pixel;
         let rings = [0, 1, 2].map(|axis| {
             let axis = match axes {
                 GizmoAxes::Local => frame.col(axis),
@@ -89,6 +99,7 @@ impl RotationGizmo {
             screen,
             center,
             center_pixel: screen.pixel(center)?,
+            radius: pixels,
             rings,
         })
     }
@@ -111,6 +122,7 @@ impl RotationGizmo {
             screen,
             center,
             center_pixel: screen.pixel(center)?,
+            radius: Self::RADIUS,
             rings,
         })
     }
@@ -118,6 +130,11 @@ impl RotationGizmo {
     /// Position of what turns in the picture, in pixels: of the joint, or of the shapes' pivot.
     pub fn center_pixel(&self) -> Vec2 {
         self.center_pixel
+    }
+
+    /// Radius of the ring about the direction of view, in pixels.
+    pub fn free_radius(&self) -> f32 {
+        self.radius * (Self::FREE_RADIUS / Self::RADIUS)
     }
 
     /// Points of the ring about an axis, the last one equal to the first; empty if the shape is
@@ -138,7 +155,7 @@ impl RotationGizmo {
             return false;
         };
         let is_edge_on = |ring: &Ring| ring.facing < EDGE_ON;
-        let is_end = pixel.distance(self.center_pixel) > END * Self::RADIUS;
+        let is_end = pixel.distance(self.center_pixel) > END * self.radius;
         self.rings[axis].as_ref().is_some_and(is_edge_on) && !is_end
     }
 
@@ -163,7 +180,7 @@ impl RotationGizmo {
             handle: Handle::FreeRing,
             point: ray.at(self.center.distance(ray.origin)),
         };
-        nearest.offer((distance - Self::FREE_RADIUS).abs(), hit);
+        nearest.offer((distance - self.free_radius()).abs(), hit);
         nearest.found()
     }
 }

@@ -286,7 +286,7 @@ fn over_handle(tool: Tool, handle: Handle) -> &'static str {
         (_, Handle::Ring(1)) => "Drag to turn about Y",
         (_, Handle::Ring(_)) => "Drag to turn about Z",
         (Tool::Pose, Handle::FreeRing) => "Drag to turn as the pointer goes",
-        (_, Handle::FreeRing) => "Drag to turn about the line of sight",
+        (_, Handle::FreeRing) => "Drag to turn about the direction of view",
         (_, Handle::Arrow(0)) => "Drag to move along X",
         (_, Handle::Arrow(1)) => "Drag to move along Y",
         (_, Handle::Arrow(_)) => "Drag to move along Z",

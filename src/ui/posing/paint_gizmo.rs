@@ -91,7 +91,7 @@ impl Brush<'_> {
     fn rings(&self, rings: &RotationGizmo) {
         let center = self.at(rings.center_pixel());
         let free = self.color(Handle::FreeRing, FREE);
-        let radius = RotationGizmo::FREE_RADIUS;
+        let radius = rings.free_radius();
         self.painter
             .circle_stroke(center, radius, Stroke::new(3.5, HANDLE_SHADE));
         self.painter

@@ -158,7 +158,7 @@ fn turn_shapes(
 ) -> Option<ShapeTurn> {
     match handle {
         Handle::Ring(axis) => ShapeTurn::begin(group, rings.axis(axis)?, hit.point, ray),
-        _ => ShapeTurn::about_sight(group, session.view().camera.eye(), ray),
+        _ => ShapeTurn::about_view(group, session.view().camera.forward(), ray),
     }
 }
 
@@ -231,7 +231,7 @@ pub(super) fn begin_by_key(
         }
         (Tool::Rotate, None) => {
             let group = ShapeGroup::of_selected(session)?;
-            Drag::Turn(ShapeTurn::about_sight(group, camera.eye(), &ray)?)
+            Drag::Turn(ShapeTurn::about_view(group, camera.forward(), &ray)?)
         }
         (Tool::Scale, _) => {
             let group = ShapeGroup::of_selected(session)?;
