@@ -27,6 +27,8 @@ pub enum FileKind {
     Scenes,
     /// Shapes and characters.
     Models,
+    /// Shapes and characters that are written: what others have made is not to be written among.
+    Exports,
     /// Curves and surfaces, which the course has in a folder of their own.
     Curves,
     /// Poses.
@@ -177,13 +179,11 @@ impl Purpose {
     pub fn kind(self) -> FileKind {
         match self {
             Self::Open | Self::SaveScene | Self::SaveWithFiles => FileKind::Scenes,
-            Self::FindSource(_)
-            | Self::ImportShape
-            | Self::ImportCharacter
-            | Self::ExportGeometry
+            Self::FindSource(_) | Self::ImportShape | Self::ImportCharacter => FileKind::Models,
+            Self::ExportGeometry
             | Self::ExportSelected
             | Self::ExportMaterials
-            | Self::ExportCharacter(_) => FileKind::Models,
+            | Self::ExportCharacter(_) => FileKind::Exports,
             Self::ImportCurve | Self::ExportCurve(_) => FileKind::Curves,
             Self::SavePose(..) | Self::LoadPose(_) => FileKind::Poses,
             Self::SaveScreenshot(_) | Self::SaveComparison => FileKind::Pictures,

@@ -562,8 +562,21 @@ fn the_first_file_of_its_kind_is_saved_beside_the_scene_wherever_others_were_rea
     assert_eq!(story.names().len(), 2);
     story.key(Key::F12);
     story.click("Save…");
-    let request = story.host.requests.last().expect("a request");
-    assert_eq!(request.folder.as_deref(), Some(Path::new("scenes")));
+    let folder = |story: &Story| {
+        let request = story.host.requests.last().expect("a request");
+        request.folder.clone()
+    };
+    assert_eq!(folder(&story).as_deref(), Some(Path::new("scenes")));
+    // Models that are written do not come among those that were read.
+    let export = (Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+    story.key_with(export.0, export.1);
+    assert_eq!(folder(&story).as_deref(), Some(Path::new("scenes")));
+    story.choose("mine/party.obj");
+    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::I);
+    assert_eq!(folder(&story).as_deref(), Some(Path::new("models")));
+    story.choose("models/strip.obj");
+    story.key_with(export.0, export.1);
+    assert_eq!(folder(&story).as_deref(), Some(Path::new("mine")));
 }
 
 #[test]
