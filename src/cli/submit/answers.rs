@@ -170,6 +170,12 @@ impl Answers {
                     lines.push(line.trim_end().to_owned());
                 }
                 *answer = lines.join("\n").trim().to_owned();
+                if answer.is_empty() {
+                    writeln!(
+                        out,
+                        "An answer is needed; where there is nothing to say: none."
+                    )?;
+                }
             }
         }
         Ok(())
@@ -257,7 +263,8 @@ mod tests {
         answers.ask(&mut typed.as_bytes(), &mut out).unwrap();
         assert_eq!(answers.name(), "Ada");
         let asked = String::from_utf8(out).unwrap();
-        assert_eq!(asked.lines().count(), 3, "{asked}");
+        assert_eq!(asked.lines().count(), 4, "{asked}");
+        assert!(asked.contains("nothing to say: none"), "{asked}");
         assert!(answers.readme(&[]).contains("\n\na book\nanother\n\n"));
         let mut answers = Answers::default();
         assert!(

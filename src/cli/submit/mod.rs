@@ -14,7 +14,7 @@ use crate::program::globals;
 use answers::Answers;
 use archive::{Entry, Format};
 use std::collections::BTreeSet;
-use std::io::IsTerminal;
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// Make an archive of everything that the assignment wants to be handed in.
@@ -198,8 +198,16 @@ fn warn_if_older(executable: &Path, entries: &[Entry]) {
     let mut sources = entries.iter().filter(is_built_in);
     if let Some(newer) = sources.find(|entry| entry.modified > built) {
         let (newer, executable) = (newer.path.display(), executable.display());
+        let has_makefile = entries
+            .iter()
+            .any(|entry| entry.path == Path::new("Makefile"));
+        let build = if has_makefile {
+            "make"
+        } else {
+            "cargo build --release"
+        };
         eprint_line(format_args!(
-            "warning: {newer} is newer than the program {executable}: build it anew with make"
+            "warning: {newer} is newer than the program {executable}: build it anew with {build}"
         ));
     }
 }
@@ -230,8 +238,10 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
     }
     if std::io::stdin().is_terminal() && std::io::stderr().is_terminal() {
         let asked = answers.ask(&mut std::io::stdin().lock(), &mut std::io::stderr().lock());
-        asked.map_err(|_| CliError::Other("not all questions were answered".to_owned()))?;
-        return Ok(answers);
+        return match asked {
+            Ok(()) => Ok(answers),
+            Err(_) => Err(CliError::Other(keep(&answers, Path::new("")))),
+        };
     }
     let keys: Vec<&str> = missing.iter().map(|question| question.key).collect();
     let keys = keys.join(", ");
@@ -250,6 +260,27 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
              > answers.md) and name it with --answers, or start the command on a terminal"
         )),
     })
+}
+
+/// Keeps answers that are not complete in a new file of `folder`. Returns what is said of them.
+fn keep(answers: &Answers, folder: &Path) -> String {
+    const ENDED: &str = "not all questions were answered";
+    if *answers == Answers::default() {
+        return ENDED.to_owned();
+    }
+    let later = (2..100).map(|number| format!("answers-{number}.md"));
+    for name in ["answers.md".to_owned()].into_iter().chain(later) {
+        let file = std::fs::File::create_new(folder.join(&name));
+        let written = file.and_then(|mut file| file.write_all(answers.readme(&[]).as_bytes()));
+        return match written {
+            Ok(()) => {
+                format!("{ENDED}; those that were are in {name}: go on with --answers {name}")
+            }
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
+            Err(error) => format!("{ENDED}, and {name} cannot be written: {error}"),
+        };
+    }
+    ENDED.to_owned()
 }
 
 /// Lines of the README about what is in the archive: the files of the `project`, the program and what is `shown`.
@@ -300,4 +331,30 @@ fn summary(output: &Path, bytes: usize, parts: &[(String, usize)]) -> String {
         text.push_str(&format!("{}    {part}\n", mib(*bytes)));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_that_are_not_complete_are_kept_in_a_new_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut answers = Answers::default();
+        assert_eq!(
+            keep(&answers, folder.path()),
+            "not all questions were answered"
+        );
+        answers.set_name("Ada");
+        for name in ["answers.md", "answers-2.md"] {
+            let told = keep(&answers, folder.path());
+            let expected = format!(
+                "not all questions were answered; those that were are in {name}: go on with --answers {name}"
+            );
+            assert_eq!(told, expected);
+            let path = folder.path().join(name);
+            let kept = std::fs::read(&path).unwrap();
+            assert_eq!(Answers::read(&path, &kept), Ok(answers.clone()));
+        }
+    }
 }
