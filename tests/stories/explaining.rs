@@ -435,6 +435,21 @@ fn a_comparison_with_a_picture_closes_the_panel_and_ends_the_mistake() {
 }
 
 #[test]
+fn in_a_small_view_the_banner_of_a_mistake_leaves_the_figure_in_sight() {
+    let mut story = bent();
+    story.size = (1280, 1000);
+    story.settle();
+    make(&mut story, NO_INVERSE);
+    let sentence = "Vertices are moved by T alone, without the inverse of B.";
+    assert!(story.has_text(sentence));
+    story.size = (800, 600);
+    story.settle();
+    assert!(!story.has_text(sentence));
+    story.click("Back to Correct");
+    assert!(!story.has("Back to Correct"));
+}
+
+#[test]
 fn a_mistake_that_takes_the_figure_away_says_how_to_see_it_and_the_stack_that_it_has_no_part_in_it()
 {
     let mut story = bent();
@@ -487,6 +502,8 @@ fn the_matrices_of_a_term_are_in_sight_however_many_there_are() {
         let of_words = labels.filter(|(label, _)| label.contains(words));
         of_words.collect::<Vec<_>>()
     };
+    let letters = "A leads from the file's axes and units to the program's. R has the directions of the bone in the file.";
+    assert!(story.has_text(letters));
     let row = named(&story, ", A⁻¹ · v (")[0].0.clone();
     story.click(&row);
     let matrices = named(&story, " of Name a: ");
@@ -500,6 +517,8 @@ fn the_matrices_of_a_term_are_in_sight_however_many_there_are() {
 #[test]
 fn of_a_collada_file_mistakes_are_told_by_what_such_a_file_has() {
     let mut story = of_collada_file();
+    story.size = (1280, 1000);
+    story.settle();
     let shifted = "The weights of each joint are taken for the joint before it";
     make(&mut story, shifted);
     assert!(story.has_text("⚠ Shown wrong on purpose"));

@@ -30,6 +30,8 @@ pub(super) struct FigureTold {
     pub places: Vec<FigurePlace>,
     /// What to do, or to know.
     pub hint: &'static str,
+    /// Whether the camera may be elsewhere, so that the hint comes before all that follows from it.
+    pub is_elsewhere: bool,
 }
 
 /// A place in which a figure differs.
@@ -44,6 +46,7 @@ impl FigureTold {
             return Self {
                 places: Vec::new(),
                 hint: ALWAYS,
+                is_elsewhere: false,
             };
         };
         let limbs = limbs(session, off, compare.size());
@@ -58,6 +61,7 @@ impl FigureTold {
             return Self {
                 places: vec![FigurePlace { told, area }],
                 hint: if is_much { ELSEWHERE } else { ALWAYS },
+                is_elsewhere: is_much,
             };
         }
         let places = limbs.into_iter().map(|limb| FigurePlace {
@@ -67,6 +71,7 @@ impl FigureTold {
         Self {
             places: places.collect(),
             hint: ALWAYS,
+            is_elsewhere: false,
         }
     }
 }

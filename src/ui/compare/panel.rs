@@ -294,6 +294,15 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                 palette.strong,
             );
         }
+        let look = session.view().look;
+        let of_page = of_page.as_ref().filter(|_| look == Look::Mannequin);
+        let [first, last] = [true, false].map(|is_first| {
+            let figure = of_page.filter(|figure| figure.is_elsewhere == is_first);
+            figure.map(|figure| figure.hint)
+        });
+        if let Some(hint) = first.filter(|_| !report.measuring) {
+            say(ui, hint, palette.strong);
+        }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
                 for finding in &judgment.findings {
@@ -332,9 +341,7 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                 say(ui, &text, palette.weak);
             }
         }
-        let look = session.view().look;
-        let of_page = of_page.as_ref().filter(|_| look == Look::Mannequin);
-        for hint in hints(compare, look, counts).chain(of_page.map(|figure| figure.hint)) {
+        for hint in hints(compare, look, counts).chain(last) {
             say(ui, hint, palette.text);
         }
     });

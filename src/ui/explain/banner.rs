@@ -7,10 +7,17 @@ use crate::editor::Session;
 use crate::scene::Shape;
 use crate::ui::aspect;
 use crate::ui::theme::Palette;
-use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
+use egui::{
+    Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, Vec2, vec2,
+};
 
 /// Widest banner, in points.
 const WIDEST: f32 = 336.0;
+
+/// Smallest view of which that does not take too much, in points. In others it only says what must be known, beside the
+/// figure.
+const ROOMY: Vec2 = vec2(640.0, 360.0);
+const BESIDE: f32 = 200.0;
 
 /// Part of a mesh that is in the picture below which it is said how to see it.
 const SEEN: f32 = 0.5;
@@ -33,7 +40,9 @@ pub(super) fn show(
     mistaken: &Mistaken,
 ) -> Shown {
     let corner = view.min + vec2(8.0, top);
-    let width = (view.right() - corner.x - 128.0).clamp(160.0, WIDEST);
+    let is_small = view.width() < ROOMY.x || view.height() < ROOMY.y;
+    let widest = if is_small { BESIDE } else { WIDEST };
+    let width = (view.right() - corner.x - 128.0).clamp(160.0, widest);
     // Clicks beside the button must not reach the scene behind it.
     let builder = UiBuilder::new()
         .id_salt("shown wrong")
@@ -50,8 +59,13 @@ pub(super) fn show(
     let program = ToldFor::of_file(shape.and_then(Shape::source_file));
     let shown = frame.show(&mut inner, |ui| {
         ui.set_width(width - 16.0);
-        ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
-        ui.add(Label::new(mistaken.made.sentence(program)).wrap());
+        let title = ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
+        let sentence = mistaken.made.sentence(program);
+        if is_small {
+            title.on_hover_text(sentence);
+        } else {
+            ui.add(Label::new(sentence).wrap());
+        }
         let hint = why_right(explained, mistaken)
             .or_else(|| where_seen(view, session, explained, mistaken));
         if let Some(hint) = hint {

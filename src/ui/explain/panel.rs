@@ -146,6 +146,10 @@ fn numbers(
         return;
     };
     letters(ui, &told);
+    let of_file = words::letters_of_file(&told.formula);
+    if !of_file.is_empty() {
+        weak(ui, &of_file);
+    }
     if explained.shape.skinning_method() != SkinningMethod::LinearBlend {
         let hint = "The character is skinned with dual quaternions; this is linear blending.";
         let color = Palette::of(ui.visuals()).warning;

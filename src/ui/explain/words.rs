@@ -64,6 +64,30 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
     }
 }
 
+/// What the letters of `formula` mean that only characters of Collada files have; empty of others.
+pub(super) fn letters_of_file(formula: &Formula) -> String {
+    let has = |letter_of: &str| {
+        let factors = formula.factors.in_order().iter();
+        let mut letters = factors.map(|factor| letter(*factor).0);
+        letters.any(|letter| letter == letter_of)
+    };
+    let told = [
+        (
+            has("A"),
+            "A leads from the file's axes and units to the program's.",
+        ),
+        (has("R"), "R has the directions of the bone in the file."),
+        (
+            formula.shaped != Shaped::Exactly,
+            "M is the skin's own matrix.",
+        ),
+    ];
+    let told = told
+        .into_iter()
+        .filter_map(|(is_there, text)| is_there.then_some(text));
+    told.collect::<Vec<_>>().join(" ")
+}
+
 /// The product of `factors`, which are in the order in which they come to a vertex.
 pub(super) fn product(factors: &[Factor]) -> Line {
     let part = |factor: &Factor| {
