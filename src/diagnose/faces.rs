@@ -158,10 +158,11 @@ impl fmt::Display for FaceDifference {
                 f.write_str(": corners count from 1")?;
             }
         } else if other > 0 {
+            let triangles = if other == 1 { "triangle" } else { "triangles" };
+            let are = is(other);
             write!(
                 f,
-                "{other} of its triangles {} none of the model's",
-                is(other)
+                "{other} {triangles} {are} there besides the model's, or a second time"
             )?;
         }
         // Of others, such as those with wrong indices, some are by chance what turned ones would be.
@@ -312,7 +313,10 @@ mod tests {
             told(69, 67, 1),
             "69 of the model's 70 triangles are missing, and 67 others are there: corners count from 1"
         );
-        assert_eq!(told(0, 1, 0), "1 of its triangles is none of the model's");
+        assert_eq!(
+            told(0, 1, 0),
+            "1 triangle is there besides the model's, or a second time"
+        );
         assert_eq!(
             told(0, 0, 70),
             "all of its triangles wind the other way, so that normals point the other way"

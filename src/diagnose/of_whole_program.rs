@@ -257,14 +257,15 @@ static ROOT_ANGLES_MISSING: Mistake = Mistake {
     })],
 };
 
-/// A mistake in what is kept of the recursion over the joints. In T and in B it gives what
-/// [`ROTATION_OF_CHILDREN_ONLY`] does, since the joint's offset is in neither then.
+/// A mistake in what is kept of the recursion over the joints. In T and in B it gives the same as
+/// [`ROTATION_OF_CHILDREN_ONLY`], since the joint's offset is in neither then.
 static OWN_TRANSFORM_MISSING: Mistake = Mistake {
     id: "own-transform-missing",
     meaning: "what is kept for a joint is the transform of its parent, without its own",
     section: SKELETON,
     look_at: "updateCurrentJointToWorldTransforms: the joint's own transform is pushed before the top of the stack is kept",
     readings: &[
+        reading("in T and in B", |formula| formula.keeps_parents = [true; 2]),
         reading("in T", |formula| formula.keeps_parents = [true, false]),
         reading("in B", |formula| formula.keeps_parents = [false, true]),
     ],
@@ -345,7 +346,7 @@ static OFFSET_NOT_TURNED: Mistake = Mistake {
 };
 
 /// A mistake at roots alone, of poses that move them.
-pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
+static ROOT_NOT_MOVED: Mistake = Mistake {
     id: "root-not-moved",
     meaning: "a root is not moved by the offset that the pose has for it",
     section: SLIDERS,

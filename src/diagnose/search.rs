@@ -7,7 +7,7 @@ use super::found_otherwise::{ANGLES_SCALED, JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
 use super::mistake::{Mistake, Reading, reading};
 use super::mistakes::MISTAKES;
 use super::model::Model;
-use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
+use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::skin::{Metric, Placed, Skinner};
 use crate::character::Pose;
 use crate::steps::Pace;
@@ -197,7 +197,12 @@ impl<'a> Search<'a> {
             let one = alone
                 .iter()
                 .find(|one| std::ptr::eq(one.made.reading, made.reading));
-            one.map_or(f64::INFINITY, |one| one.nearness.mean)
+            let otherwise = || {
+                let mut skinner = self.skinner(&formula(&[made]))?;
+                Some(self.nearness(&mut skinner).mean)
+            };
+            let mean = one.map(|one| one.nearness.mean).or_else(otherwise);
+            mean.unwrap_or(f64::INFINITY)
         };
         let all: Vec<(Made, Made, Formula)> =
             pairs_of_ways().chain(pairs_with_whole_program()).collect();
@@ -207,11 +212,14 @@ impl<'a> Search<'a> {
             let Some(mut skinner) = self.skinner(both) else {
                 continue;
             };
-            let mut made = vec![*first, *second];
-            if mean(*second) < mean(*first) {
-                made.reverse();
-            }
+            let made = vec![*first, *second];
             let explained = self.explained_by(&mut skinner, made, pace).await;
+            let explained = explained.map(|mut both| {
+                if mean(*second) < mean(*first) {
+                    both.made.reverse();
+                }
+                both
+            });
             let is_scaled = std::ptr::eq(first.mistake, &raw const ANGLES_SCALED);
             found.extend(explained.filter(|both| {
                 let other = || self.error_of(*second).unwrap_or(f64::INFINITY);
@@ -371,18 +379,13 @@ pub(super) fn ways_of_whole_program() -> impl Iterator<Item = Made> {
     })
 }
 
-/// Every two ways of which one is that of a mistake that is sought alone first, with the formula that has both. Of two
-/// such, one is that a root is not moved, which programs often do last.
+/// Every two ways of which one or both are those of mistakes that are sought alone first, with the formula that has both.
 fn pairs_with_whole_program() -> impl Iterator<Item = (Made, Made, Formula)> {
-    let firsts = ways_of_whole_program();
-    let usual =
-        firsts.flat_map(|first| ways().filter_map(move |second| made_together(first, second)));
-    let unmoved = ways_of_whole_program().find(|made| std::ptr::eq(made.mistake, &ROOT_NOT_MOVED));
-    let beside = unmoved.into_iter().flat_map(|unmoved| {
-        let others = ways_of_whole_program();
-        others.filter_map(move |other| made_together(other, unmoved))
-    });
-    usual.chain(beside)
+    let firsts = ways_of_whole_program().enumerate();
+    firsts.flat_map(|(index, first)| {
+        let seconds = ways().chain(ways_of_whole_program().skip(index + 1));
+        seconds.filter_map(move |second| made_together(first, second))
+    })
 }
 
 /// The exact formula with mistakes, made in this order.
