@@ -10,6 +10,7 @@ use super::running::Program;
 use super::{FileRequest, Host, Purpose, Suggested};
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files, Missing, ReadJob, Wanted};
+use crate::scene::Look;
 use crate::ui::{Answer, MeshColors};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -168,6 +169,14 @@ impl Program {
             files,
             loaded,
         } = opened;
+        // What is not compared as the course draws it is about the document that was open.
+        if self
+            .comparison
+            .as_ref()
+            .is_some_and(|it| it.looks.0 != Look::Course)
+        {
+            self.end_comparison();
+        }
         let compared = self.comparison.is_some();
         // Models of a scene may have come together with it.
         let sources = loaded.shapes.iter().flat_map(|shape| &shape.source);

@@ -11,7 +11,7 @@ use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::scene::{Camera, Look};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
-use egui::{Key, vec2};
+use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
 use std::path::Path;
 use std::time::Duration;
@@ -37,6 +37,28 @@ fn compared() -> Story {
     story.choose("mine.png");
     assert!(story.has("Stop comparing"));
     story
+}
+
+#[test]
+fn a_document_that_is_opened_beside_a_picture_in_another_look_than_the_courses_is_shown_as_it_is_without()
+ {
+    let mut story = Story::start(&["builtin:robot"]);
+    let seen = Action::View(View::SetLook(Look::Mannequin));
+    story.program.carry_out(vec![seen], &mut story.host);
+    story.settle();
+    story.save_view((300, 200), "mine.png");
+    let saved = story.host.written[Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), saved);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    assert!(story.has("Stop comparing"));
+    story.key_with(Modifiers::COMMAND, Key::O);
+    story.choose("builtin:rigs/lizard");
+    assert!(!story.has("Stop comparing"));
+    let alone = Story::start(&["builtin:rigs/lizard"]);
+    let [view, expected] = [&story, &alone].map(|story| *story.session().view());
+    assert_eq!(view.camera, expected.camera);
+    assert_ne!(view.look, Look::Course);
 }
 
 /// Gives the live view smooth edges, which pictures that are saved here have.
