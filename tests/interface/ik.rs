@@ -218,6 +218,11 @@ fn a_pinned_foot_that_gets_out_of_reach_is_said_to() {
     assert!(!says(&editor), "the feet hold");
     editor.point(from - vec2(0.0, 70.0));
     assert!(says(&editor), "{:?}", editor.painted_over_view());
+    // The pins do not stay where nothing is: that is said once they have gone.
+    editor.release(from - vec2(0.0, 70.0));
+    let told = editor.last_told();
+    let expected = "2 pins were out of reach, and hold where their joints are now";
+    assert_eq!(told.as_deref(), Some(expected));
 }
 
 #[test]
