@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{self, edit, load};
-use super::output::refuse_input;
+use super::output::{eprint_line, refuse_input};
 use super::pipes::{self, Ends};
 use crate::disk;
 use crate::editor::Session;
@@ -137,6 +137,9 @@ fn character(args: &Args, session: &Session) -> Result<Files, CliError> {
     let (shape, character) = chosen(args, session)?;
     let written = io::export_character(shape, character)
         .map_err(|error| Diagnostic::new(&args.output, error.to_string()))?;
+    if let Some(text) = io::left_out_of_course(character) {
+        eprint_line(format_args!("warning: {text}"));
+    }
     Ok(written.into_files(&args.output))
 }
 

@@ -3,6 +3,7 @@
 use super::export::on_one_line;
 use super::{PoseData, TooFarOut, read_skel};
 use crate::character::{Attachments, Character, Pose, SkeletalModel};
+use crate::geometry::Normals;
 use crate::math::{Euler, Transform};
 use crate::scene::{CharacterShape, Shape};
 use glam::{DMat3, DQuat, Mat4, Vec3};
@@ -35,6 +36,29 @@ impl CharacterFiles {
             (path.with_extension("obj"), self.obj.into_bytes()),
         ]
     }
+}
+
+/// What is said of a character that has more than the course's files; `None` if it has not.
+pub fn left_out_of_course(character: &CharacterShape) -> Option<String> {
+    let mesh = character.character.bind_mesh();
+    let has = [
+        (!mesh.groups.is_empty(), "materials"),
+        (!mesh.texture_coordinates.is_empty(), "texture coordinates"),
+        (matches!(mesh.normals, Normals::PerVertex(_)), "normals"),
+    ];
+    let all: Vec<&str> = has
+        .iter()
+        .filter_map(|(has, what)| has.then_some(*what))
+        .collect();
+    let (last, others) = all.split_last()?;
+    let all = match others {
+        [] => (*last).to_owned(),
+        others => format!("{} and {last}", others.join(", ")),
+    };
+    Some(format!(
+        "The course's files have no {all}: what the character has of these is left out. Export with Materials writes \
+         them, without the skeleton"
+    ))
 }
 
 /// Reason why a character cannot be written in the course's format.

@@ -55,7 +55,7 @@ pub use content_kind::extension_of;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use encoding::in_utf8;
 pub use export::{TooFarOut, export_obj};
-pub use export_character::{CharacterFiles, NotExpressible, export_character};
+pub use export_character::{CharacterFiles, NotExpressible, export_character, left_out_of_course};
 pub use export_materials::{ObjWithMaterials, export_obj_with_materials};
 pub use file_access::{Files, expect_extension, extension, is_archive, is_scene};
 pub use file_importer::{

@@ -107,6 +107,10 @@ impl Program {
                 .map(|written| written.into_files(path))
                 .map_err(|error| Diagnostic::new(path, error.to_string()))
         });
+        let left_out = files.is_ok().then(|| io::left_out_of_course(character));
+        if let Some(text) = left_out.flatten() {
+            self.tell(Severity::Warning, text);
+        }
         self.write_exported(path, files, host);
     }
 

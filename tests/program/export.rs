@@ -301,6 +301,14 @@ fn a_rig_of_three_trees_becomes_a_character_with_its_pose_that_stands_as_before(
     assert!(written.iter().all(|name| found.contains(name)), "{found:?}");
     let skel = fs::read_to_string(folder.path().join("out.skel")).unwrap();
     assert!(skel.starts_with("0 0 0 -1 # Added root\n"), "{skel}");
+    let told = run("export builtin:crate -o crate.skel");
+    let left_out = "warning: The course's files have no ";
+    assert!(told.starts_with(left_out), "{told}");
+    assert_eq!(
+        run("export out.obj -o again.skel"),
+        "",
+        "it has no more than these"
+    );
 
     run("export builtin:creature --pose builtin:creature-wave -o was.obj");
     assert_eq!(run("export out.obj --pose out.json -o is.obj"), "");
