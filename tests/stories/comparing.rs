@@ -432,6 +432,18 @@ fn a_picture_larger_than_a_texture_and_one_that_is_none_are_refused_with_their_r
     assert!(!story.has("Stop comparing"));
 }
 
+/// Upper edge of the widget whose text begins with `words`.
+fn upper_edge(story: &Story, words: &str) -> f64 {
+    let update = story.widgets.as_ref().expect("a frame");
+    let is_meant = |text: Option<&str>| text.is_some_and(|text| text.starts_with(words));
+    let mut nodes = update.nodes.iter().map(|(_, node)| node);
+    let found = nodes.find_map(|node| {
+        let meant = is_meant(node.value()) || is_meant(node.label());
+        node.bounds().filter(|_| meant)
+    });
+    found.expect("it is told").y0
+}
+
 /// All texts that assistive technologies see.
 fn texts(story: &Story) -> Vec<String> {
     let update = story.widgets.as_ref().expect("a frame");
@@ -570,13 +582,12 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
         texts(&story)
     );
     // How to get there comes first: below the causes it is out of sight.
-    let told = texts(&story);
-    let place = |words: &str| told.iter().position(|text| text.starts_with(words));
-    let hint = place("A is the Virtual Mannequin's page. If all");
-    assert!(
-        hint.is_some() && hint < place("No single cause"),
-        "{told:?}"
-    );
+    let words = [
+        "A is the Virtual Mannequin's page. If all",
+        "No single cause",
+    ];
+    let [hint, cause] = words.map(|words| upper_edge(&story, words));
+    assert!(hint < cause, "{hint} {cause}");
     // Nor is a bone to blame, though one is nearest to the middle of what differs, or part of the figure lies on itself.
     for (nearer, turned, aside) in [(0.0, 0.8, 0.0), (1.2, 0.2, -1.0), (1.2, 0.0, -0.3)] {
         let elsewhere = Camera {
