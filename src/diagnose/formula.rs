@@ -38,8 +38,8 @@ pub struct Formula {
     pub popped: [Popped; 2],
     /// What B has left on the matrix stack when T begins.
     pub left_on_stack: LeftOnStack,
-    /// Joints for which something is worked out, and what the others have.
-    pub reached: (Reached, Unfilled),
+    /// Joints for which something is worked out, if not all, and what the others have.
+    pub reached: Option<(Reached, Unfilled)>,
     /// Whether joints have the transforms of their parents, and roots none, in T and in B.
     pub keeps_parents: [bool; 2],
     /// Whether the transforms of roots are multiplied on twice, in T and in B.
@@ -233,11 +233,12 @@ impl Formula {
         };
         let is_of_file = self.factors.are_of_file() || self.joint.about != About::Model;
         let has_shape = self.shaped == Shaped::Exactly || bind_shape.is_some();
-        let has_unreached = match self.reached.0 {
-            Reached::All => true,
-            reached => reached.of(character.skeleton()).contains(&false),
+        let leaves_out = |(reached, _): (Reached, Unfilled)| {
+            let is_reached = reached.of(character.skeleton());
+            is_reached.contains(&false)
         };
-        has_unreached && has_parents && (!is_of_file || frames.is_some()) && has_shape
+        let reaches = self.reached.is_none_or(leaves_out);
+        reaches && has_parents && (!is_of_file || frames.is_some()) && has_shape
     }
 }
 
@@ -285,7 +286,7 @@ impl Default for Formula {
             other_joint: None,
             popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,
-            reached: (Reached::All, Unfilled::Zero),
+            reached: None,
             keeps_parents: [false; 2],
             roots_twice: [false; 2],
             begins_at_rest: false,

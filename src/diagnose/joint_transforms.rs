@@ -2,7 +2,7 @@
 
 use super::formula::{
     About, AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
-    Parents, Popped, Reached, Shaped, Unfilled,
+    Parents, Popped, Shaped, Unfilled,
 };
 use super::model::Model;
 use crate::character::{FileFrames, Pose};
@@ -135,8 +135,7 @@ impl<'a> Joints<'a> {
         let [current_of_parents, bind_of_parents] = formula.keeps_parents;
         let mut current = kept(&tree, current_of_parents, current);
         let mut bind = kept(&bind_tree, bind_of_parents, bind);
-        let (reached, unfilled) = formula.reached;
-        if reached != Reached::All {
+        if let Some((reached, unfilled)) = formula.reached {
             let is_reached = reached.of(model.skeleton());
             for (joint, _) in is_reached.iter().enumerate().filter(|(_, it)| !**it) {
                 current[joint] = match unfilled {

@@ -119,13 +119,13 @@ macro_rules! reached {
     ($($to:literal = $reached:ident),+) => {
         &[$(
             reading(concat!($to, ", and the matrices of the others stay 0"), |formula| {
-                formula.reached = (Reached::$reached, Unfilled::Zero);
+                formula.reached = Some((Reached::$reached, Unfilled::Zero));
             }),
             reading(concat!($to, ", and vertices of the others stay at rest"), |formula| {
-                formula.reached = (Reached::$reached, Unfilled::IdentityInBoth);
+                formula.reached = Some((Reached::$reached, Unfilled::IdentityInBoth));
             }),
             reading(concat!($to, ", and T of the others stays the identity"), |formula| {
-                formula.reached = (Reached::$reached, Unfilled::Identity);
+                formula.reached = Some((Reached::$reached, Unfilled::Identity));
             }),
         )+]
     };

@@ -236,10 +236,14 @@ impl<'a> Search<'a> {
         Some(all.fold(0.0, f64::max))
     }
 
+    /// The vertices of the sample after those that are the farthest apart, of which a small mesh has fewer.
+    fn spread(&self) -> &[usize] {
+        &self.sample[self.theirs.len().min(WORST)..]
+    }
+
     /// How near the mesh is to the one of `skinner`.
     pub(super) fn nearness(&self, skinner: &mut Skinner) -> Nearness {
-        // After those that are the farthest apart, of which a small mesh has fewer.
-        let spread = &self.sample[self.theirs.len().min(WORST)..];
+        let spread = self.spread();
         let distances = spread.iter().map(|&index| self.distance(skinner, index));
         let distances: Vec<f64> = distances.collect();
         Nearness {
@@ -253,7 +257,7 @@ impl<'a> Search<'a> {
 
     /// Mean distance of the mesh from its own middle, of the vertices by which nearness is told.
     pub(super) fn distance_from_middle(&self) -> f64 {
-        let spread = &self.sample[self.theirs.len().min(WORST)..];
+        let spread = self.spread();
         let count = spread.len().max(1) as f64;
         let middle = spread
             .iter()

@@ -104,8 +104,6 @@ pub enum LeftOnStack {
 /// to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reached {
-    /// All.
-    All,
     /// All but those without children.
     ButLeaves,
     /// The first child of each in the file.
@@ -134,7 +132,6 @@ impl Reached {
                 return true;
             };
             match self {
-                Self::All => true,
                 Self::ButLeaves => ends[joint].is_some(),
                 Self::First => joint == first,
                 Self::Last => joint == last,

@@ -53,7 +53,7 @@ pub fn left_out_of_course(character: &CharacterShape) -> Option<String> {
     let (last, others) = all.split_last()?;
     let all = match others {
         [] => (*last).to_owned(),
-        others => format!("{} and {last}", others.join(", ")),
+        others => format!("{} or {last}", others.join(", ")),
     };
     Some(format!(
         "The course's files have no {all}: what the character has of these is left out. Export with Materials writes \

@@ -170,11 +170,8 @@ impl Program {
             loaded,
         } = opened;
         // What is not compared as the course draws it is about the document that was open.
-        if self
-            .comparison
-            .as_ref()
-            .is_some_and(|it| it.looks.0 != Look::Course)
-        {
+        let compared = self.comparison.as_ref();
+        if compared.is_some_and(|it| it.looks.0 != Look::Course) {
             self.end_comparison();
         }
         let compared = self.comparison.is_some();

@@ -33,14 +33,14 @@ impl Editor {
         view.min + vec2(pixel.x, pixel.y)
     }
 
-    /// Where the ring about the axis of `joint` that faces the eye is at an angle in degrees, counterclockwise from the right.
+    /// Where the ring about Z of `joint`, seen from +Z, is at an angle in degrees, counterclockwise from the right.
     fn on_ring(&self, joint: usize, degrees: f32) -> Pos2 {
         let view = self.harness.state().view;
         let size = glam::vec2(view.width(), view.height());
         let (session, shape) = (self.session(), self.shape().id);
         let rings = RotationGizmo::new(session, shape, joint, GizmoAxes::Local, size);
-        let radius = rings.expect("it is before the eye").free_radius();
-        let radius = radius * RotationGizmo::RADIUS / RotationGizmo::FREE_RADIUS;
+        let rings = rings.expect("it is before the eye");
+        let radius = rings.ring(2)[0].pixel.distance(rings.center_pixel());
         self.place(self.bone(joint).0) + radius * Vec2::angled(-degrees.to_radians())
     }
 

@@ -26,17 +26,22 @@ fn comparing() -> Story {
 /// The same with the edges that the program finds.
 fn compared() -> Story {
     let mut story = Story::start(&["models/strip.obj"]);
-    story.save_view((300, 200), "mine.png");
-    let saved = story.host.written[Path::new("mine.png")].clone();
-    story.host.files.insert("mine.png".into(), saved);
-    story.key(Key::F8);
+    compare_with_itself(&mut story, (300, 200));
     assert_eq!(
         story.host.requests.last().unwrap().purpose,
         Purpose::Compare
     );
+    story
+}
+
+/// Compares the view with a picture of it of this size.
+fn compare_with_itself(story: &mut Story, size: (u32, u32)) {
+    story.save_view(size, "mine.png");
+    let saved = story.host.written[Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), saved);
+    story.key(Key::F8);
     story.choose("mine.png");
     assert!(story.has("Stop comparing"));
-    story
 }
 
 #[test]
@@ -46,12 +51,7 @@ fn a_document_that_is_opened_beside_a_picture_in_another_look_than_the_courses_i
     let seen = Action::View(View::SetLook(Look::Mannequin));
     story.program.carry_out(vec![seen], &mut story.host);
     story.settle();
-    story.save_view((300, 200), "mine.png");
-    let saved = story.host.written[Path::new("mine.png")].clone();
-    story.host.files.insert("mine.png".into(), saved);
-    story.key(Key::F8);
-    story.choose("mine.png");
-    assert!(story.has("Stop comparing"));
+    compare_with_itself(&mut story, (300, 200));
     story.key_with(Modifiers::COMMAND, Key::O);
     story.choose("builtin:rigs/lizard");
     assert!(!story.has("Stop comparing"));
@@ -131,11 +131,7 @@ fn what_is_off_is_near_the_joint_that_was_turned() {
         // All joints are listed.
         story.size = (1000, 1300);
         story.settle();
-        story.save_view((600, 450), "mine.png");
-        let saved = story.host.written[Path::new("mine.png")].clone();
-        story.host.files.insert("mine.png".into(), saved);
-        story.key(Key::F8);
-        story.choose("mine.png");
+        compare_with_itself(&mut story, (600, 450));
         judge(&mut story);
         story.type_into(&format!("{joint} X"), "40");
         judge(&mut story);

@@ -434,6 +434,16 @@ fn a_comparison_with_a_picture_closes_the_panel_and_ends_the_mistake() {
     );
 }
 
+/// Labels with `words` in them, and where they are.
+fn named(story: &Story, words: &str) -> Vec<(String, egui::accesskit::Rect)> {
+    let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+    let labels = nodes.filter_map(|(_, node)| {
+        let text = node.label().or(node.value())?;
+        Some((text.to_owned(), node.bounds()?))
+    });
+    labels.filter(|(label, _)| label.contains(words)).collect()
+}
+
 #[test]
 fn in_a_small_view_the_banner_of_a_mistake_leaves_the_figure_in_sight() {
     let mut story = bent();
@@ -445,6 +455,14 @@ fn in_a_small_view_the_banner_of_a_mistake_leaves_the_figure_in_sight() {
     story.size = (800, 600);
     story.settle();
     assert!(!story.has_text(sentence));
+    // Beside its words the figure can be reached: a drag there is one in the view.
+    let [(_, title)] = &named(&story, "Shown wrong on purpose")[..] else {
+        panic!("{:?}", named(&story, "Shown wrong on purpose"));
+    };
+    let figure = egui::pos2(story.view().center().x, (title.y0 + title.y1) as f32 / 2.0);
+    let before = story.session().view().camera;
+    story.drag(figure, figure + egui::vec2(0.0, 30.0));
+    assert_ne!(story.session().view().camera, before);
     story.click("Back to Correct");
     assert!(!story.has("Back to Correct"));
 }
@@ -496,12 +514,6 @@ fn the_matrices_of_a_term_are_in_sight_however_many_there_are() {
     );
     let last = "with those of a Collada file, whose axes are converted last";
     story.click(last);
-    let named = |story: &Story, words: &str| {
-        let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
-        let labels = nodes.filter_map(|(_, node)| Some((node.label()?.to_owned(), node.bounds()?)));
-        let of_words = labels.filter(|(label, _)| label.contains(words));
-        of_words.collect::<Vec<_>>()
-    };
     let letters = "A leads from the file's axes and units to the program's. R has the directions of the bone in the file.";
     assert!(story.has_text(letters));
     let row = named(&story, ", A⁻¹ · v (")[0].0.clone();
@@ -510,7 +522,7 @@ fn the_matrices_of_a_term_are_in_sight_however_many_there_are() {
     assert_eq!(matrices.len(), 7, "six factors and their product");
     let list = named(&story, last)[0].1.x0;
     for (matrix, bounds) in matrices {
-        assert!(bounds.x1 <= list, "{matrix} begins at {}", bounds.x0);
+        assert!(bounds.x1 <= list, "{matrix} ends at {}", bounds.x1);
     }
 }
 

@@ -568,14 +568,14 @@ fn the_first_file_of_its_kind_is_saved_beside_the_scene_wherever_others_were_rea
     };
     assert_eq!(folder(&story).as_deref(), Some(Path::new("scenes")));
     // Models that are written do not come among those that were read.
-    let export = (Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
-    story.key_with(export.0, export.1);
+    let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
+    story.key_with(with_shift, Key::E);
     assert_eq!(folder(&story).as_deref(), Some(Path::new("scenes")));
     story.choose("mine/party.obj");
-    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::I);
+    story.key_with(with_shift, Key::I);
     assert_eq!(folder(&story).as_deref(), Some(Path::new("models")));
     story.choose("models/strip.obj");
-    story.key_with(export.0, export.1);
+    story.key_with(with_shift, Key::E);
     assert_eq!(folder(&story).as_deref(), Some(Path::new("mine")));
 }
 

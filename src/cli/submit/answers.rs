@@ -1,6 +1,7 @@
 //! The README of a submission: the assignment's questions and the student's answers, read from a
 //! file, asked on the terminal, and written.
 
+use crate::disk;
 use crate::io::Diagnostic;
 use std::io::{BufRead, Write};
 use std::path::Path;
@@ -179,6 +180,20 @@ impl Answers {
             }
         }
         Ok(())
+    }
+
+    /// Writes the form with what is answered to a new file of `folder`. Returns its name.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn keep(&self, folder: &Path) -> Result<String, Diagnostic> {
+        let (mut name, mut number) = ("answers.md".to_owned(), 1);
+        while folder.join(&name).exists() {
+            number += 1;
+            name = format!("answers-{number}.md");
+        }
+        disk::write_whole(&folder.join(&name), self.readme(&[]).as_bytes())?;
+        Ok(name)
     }
 
     /// The README, with one line for each of `contents`; without those the form to be filled in.

@@ -14,7 +14,7 @@ use crate::program::globals;
 use answers::Answers;
 use archive::{Entry, Format};
 use std::collections::BTreeSet;
-use std::io::{ErrorKind, IsTerminal, Write};
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 /// Make an archive of everything that the assignment wants to be handed in.
@@ -23,7 +23,8 @@ use std::path::{Path, PathBuf};
 ///
 /// It holds the project's files, the program, README.txt with the answers to the assignment's
 /// questions, a picture, and the data. What .gitignore names is left out, as are .git, target and
-/// files of macOS (._*). Answers that are missing are asked for on a terminal.
+/// files of macOS (._*). Answers that are missing are asked for on a terminal, and kept in answers.md
+/// where that ends before all are given.
 #[derive(Debug, clap::Args)]
 #[command(
     group = clap::ArgGroup::new("shown").required(true),
@@ -240,7 +241,7 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
         let asked = answers.ask(&mut std::io::stdin().lock(), &mut std::io::stderr().lock());
         return match asked {
             Ok(()) => Ok(answers),
-            Err(_) => Err(CliError::Other(keep(&answers, Path::new("")))),
+            Err(_) => Err(CliError::Other(ended(&answers, Path::new("")))),
         };
     }
     let keys: Vec<&str> = missing.iter().map(|question| question.key).collect();
@@ -262,25 +263,16 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
     })
 }
 
-/// Keeps answers that are not complete in a new file of `folder`. Returns what is said of them.
-fn keep(answers: &Answers, folder: &Path) -> String {
+/// What is said where the questions are left before all are answered. What was answered is kept in `folder`.
+fn ended(answers: &Answers, folder: &Path) -> String {
     const ENDED: &str = "not all questions were answered";
     if *answers == Answers::default() {
         return ENDED.to_owned();
     }
-    let later = (2..100).map(|number| format!("answers-{number}.md"));
-    for name in ["answers.md".to_owned()].into_iter().chain(later) {
-        let file = std::fs::File::create_new(folder.join(&name));
-        let written = file.and_then(|mut file| file.write_all(answers.readme(&[]).as_bytes()));
-        return match written {
-            Ok(()) => {
-                format!("{ENDED}; those that were are in {name}: go on with --answers {name}")
-            }
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
-            Err(error) => format!("{ENDED}, and {name} cannot be written: {error}"),
-        };
+    match answers.keep(folder) {
+        Ok(name) => format!("{ENDED}; those that were are in {name}: go on with --answers {name}"),
+        Err(error) => format!("{ENDED}, and those that were are lost: {error}"),
     }
-    ENDED.to_owned()
 }
 
 /// Lines of the README about what is in the archive: the files of the `project`, the program and what is `shown`.
@@ -341,20 +333,21 @@ mod tests {
     fn answers_that_are_not_complete_are_kept_in_a_new_file() {
         let folder = tempfile::tempdir().unwrap();
         let mut answers = Answers::default();
-        assert_eq!(
-            keep(&answers, folder.path()),
-            "not all questions were answered"
-        );
+        let nothing = "not all questions were answered";
+        assert_eq!(ended(&answers, folder.path()), nothing);
         answers.set_name("Ada");
         for name in ["answers.md", "answers-2.md"] {
-            let told = keep(&answers, folder.path());
-            let expected = format!(
-                "not all questions were answered; those that were are in {name}: go on with --answers {name}"
-            );
-            assert_eq!(told, expected);
+            let expected =
+                format!("{nothing}; those that were are in {name}: go on with --answers {name}");
+            assert_eq!(ended(&answers, folder.path()), expected);
             let path = folder.path().join(name);
             let kept = std::fs::read(&path).unwrap();
             assert_eq!(Answers::read(&path, &kept), Ok(answers.clone()));
         }
+        let lost = ended(&answers, &folder.path().join("none"));
+        assert!(
+            lost.starts_with(&format!("{nothing}, and those that were are lost: ")),
+            "{lost}"
+        );
     }
 }

@@ -390,7 +390,7 @@ impl Parts<'_> {
 
 /// What mistakes of these names are, a line each.
 fn meanings<'a>(ids: impl Iterator<Item = &'a str>) -> String {
-    let told = ids.filter_map(|id| Some(format!("{id}: {}", Mistake::find(id)?.meaning)));
+    let told = ids.filter_map(|id| Some(Mistake::find(id)?.told()));
     told.collect::<Vec<_>>().join("\n")
 }
 

@@ -28,8 +28,6 @@ const MUCH: f64 = 0.25;
 pub(super) struct FigureTold {
     /// Where it differs from that of the live view: limb by limb, or where that is not all, altogether.
     pub places: Vec<FigurePlace>,
-    /// What to do, or to know.
-    pub hint: &'static str,
     /// Whether the camera may be elsewhere, so that the hint comes before all that follows from it.
     pub is_elsewhere: bool,
 }
@@ -45,7 +43,6 @@ impl FigureTold {
         let Some(off) = &figure.off else {
             return Self {
                 places: Vec::new(),
-                hint: ALWAYS,
                 is_elsewhere: false,
             };
         };
@@ -60,7 +57,6 @@ impl FigureTold {
             };
             return Self {
                 places: vec![FigurePlace { told, area }],
-                hint: if is_much { ELSEWHERE } else { ALWAYS },
                 is_elsewhere: is_much,
             };
         }
@@ -70,8 +66,12 @@ impl FigureTold {
         });
         Self {
             places: places.collect(),
-            hint: ALWAYS,
             is_elsewhere: false,
         }
+    }
+
+    /// What to do, or to know.
+    pub(super) fn hint(&self) -> &'static str {
+        if self.is_elsewhere { ELSEWHERE } else { ALWAYS }
     }
 }

@@ -298,7 +298,7 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
         let of_page = of_page.as_ref().filter(|_| look == Look::Mannequin);
         let [first, last] = [true, false].map(|is_first| {
             let figure = of_page.filter(|figure| figure.is_elsewhere == is_first);
-            figure.map(|figure| figure.hint)
+            figure.map(FigureTold::hint)
         });
         if let Some(hint) = first.filter(|_| !report.measuring) {
             say(ui, hint, palette.strong);

@@ -4,6 +4,7 @@
 mod arrows;
 mod banner;
 mod digits;
+mod letters;
 mod matrices;
 mod mistakes;
 mod panel;

@@ -3,7 +3,7 @@
 use super::digits::Digits;
 use super::table::Compared;
 use super::vertex::Told;
-use super::{ExplainState, Topic, mistakes, stack, table, words};
+use super::{ExplainState, Topic, letters, mistakes, stack, table, words};
 use crate::editor::Session;
 use crate::scene::SkinningMethod;
 use crate::ui::below_view::{Heights, below_the_view, has_room_for_columns};
@@ -145,8 +145,8 @@ fn numbers(
     let (Some(explained), Some(told)) = (state.explained(session), state.told.take()) else {
         return;
     };
-    letters(ui, &told);
-    let of_file = words::letters_of_file(&told.formula);
+    in_letters(ui, &told);
+    let of_file = letters::of_file(&told.formula);
     if !of_file.is_empty() {
         weak(ui, &of_file);
     }
@@ -204,7 +204,7 @@ fn numbers(
 }
 
 /// The formula in letters.
-fn letters(ui: &mut Ui, told: &Told) {
+fn in_letters(ui: &mut Ui, told: &Told) {
     let [vertex, current, bind] = words::lines(&told.formula);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 24.0;

@@ -1,5 +1,6 @@
 //! The formula in letters, with what a mistake changes of it.
 
+use super::letters::{letter, raised};
 use crate::diagnose::{
     AngleUnits, Chain, Divided, Factor, Formula, JointFormula, Offsets, Shaped, VertexOrder,
 };
@@ -47,47 +48,6 @@ fn left_out_if(left_out: bool) -> Mark {
     if left_out { Mark::LeftOut } else { Mark::Same }
 }
 
-/// A matrix of a joint, as it is written: its letter and its exponent.
-fn letter(factor: Factor) -> (&'static str, &'static str) {
-    match factor {
-        Factor::Current => ("T", ""),
-        Factor::Bind => ("B", ""),
-        Factor::InverseBind | Factor::InverseBindOfFile => ("B", "-1"),
-        Factor::CurrentTransposed => ("T", "T"),
-        Factor::InverseBindTransposed | Factor::InverseBindOfFileTransposed => ("B", "-T"),
-        Factor::BindTransposed => ("B", "T"),
-        Factor::InverseCurrent => ("T", "-1"),
-        Factor::ToFile => ("A", "-1"),
-        Factor::FromFile => ("A", ""),
-        Factor::FromFileTransposed => ("A", "T"),
-        Factor::DirectionsInFile => ("R", ""),
-    }
-}
-
-/// What the letters of `formula` mean that only characters of Collada files have; empty of others.
-pub(super) fn letters_of_file(formula: &Formula) -> String {
-    let has = |letter_of: &str| {
-        let factors = formula.factors.in_order().iter();
-        let mut letters = factors.map(|factor| letter(*factor).0);
-        letters.any(|letter| letter == letter_of)
-    };
-    let told = [
-        (
-            has("A"),
-            "A leads from the file's axes and units to the program's.",
-        ),
-        (has("R"), "R has the directions of the bone in the file."),
-        (
-            formula.shaped != Shaped::Exactly,
-            "M is the skin's own matrix.",
-        ),
-    ];
-    let told = told
-        .into_iter()
-        .filter_map(|(is_there, text)| is_there.then_some(text));
-    told.collect::<Vec<_>>().join(" ")
-}
-
 /// The product of `factors`, which are in the order in which they come to a vertex.
 pub(super) fn product(factors: &[Factor]) -> Line {
     let part = |factor: &Factor| {
@@ -101,16 +61,6 @@ pub(super) fn product(factors: &[Factor]) -> Line {
     Line {
         start: "",
         parts: factors.iter().rev().map(part).collect(),
-    }
-}
-
-/// An exponent in letters of its own.
-fn raised(above: &str) -> &'static str {
-    match above {
-        "-1" => "⁻¹",
-        "T" => "ᵀ",
-        "-T" => "⁻ᵀ",
-        _ => "",
     }
 }
 

@@ -112,6 +112,17 @@ impl Held {
         !matches!(self.drag, Drag::Stuck(..))
     }
 
+    /// What becomes of pins that are out of reach, if some are, once the drag is over.
+    pub(super) fn lost_pins(&self) -> Option<String> {
+        match self.ik()?.lost_pins().len() {
+            0 => None,
+            1 => Some("A pin was out of reach, and holds where its joint is now".to_owned()),
+            lost => Some(format!(
+                "{lost} pins were out of reach, and hold where their joints are now"
+            )),
+        }
+    }
+
     /// The drag of the IK tool; `None` for everything else.
     pub(super) fn ik(&self) -> Option<&IkDrag> {
         match &self.drag {

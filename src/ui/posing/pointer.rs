@@ -69,20 +69,13 @@ pub(in crate::ui) fn pointer(
     if let Some(gesture) = &mut state.gesture {
         let held = gesture.held();
         let held = held.joint().map(|joint| (held.shape(), joint));
-        let lost = gesture.active().and_then(|held| held.ik());
-        let lost = lost.map_or(0, |drag| drag.lost_pins().len());
+        let lost = gesture.active().and_then(Held::lost_pins);
         let before = actions.len();
         let goes_on = gesture.follow(view, places, session, actions);
         let is_kept = actions[before..]
             .iter()
             .any(|action| matches!(action, Action::Gesture(GestureStep::Commit)));
-        if lost > 0 && is_kept {
-            let what = match lost {
-                1 => "A pin was out of reach, and holds where its joint is now".to_owned(),
-                lost => {
-                    format!("{lost} pins were out of reach, and hold where their joints are now")
-                }
-            };
+        if let Some(what) = lost.filter(|_| is_kept) {
             actions.push(Action::View(View::Tell(what.into())));
         }
         if !goes_on {
