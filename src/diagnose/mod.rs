@@ -22,6 +22,7 @@ mod mistakes;
 mod model;
 mod nearest;
 mod no_numbers;
+mod of_angles;
 mod of_collada;
 mod of_product;
 mod of_weighted_sum;

@@ -3,6 +3,9 @@
 
 use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped, Reached, Unfilled};
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
+use super::of_angles::{
+    ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_SHIFTED, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
+};
 use super::of_collada::{ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING};
 use super::of_weighted_sum::{
     INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT, SUM_BEGUN_AT_REST,
@@ -161,12 +164,19 @@ static TRANSLATION_OVERWRITTEN: Mistake = Mistake {
 /// A mistake at roots alone, which moves the mesh as a whole.
 static ROOT_TRANSLATION_MISSING: Mistake = Mistake {
     id: "root-translation-missing",
-    meaning: "the root has no offset in T",
+    meaning: "the root has no offset",
     section: SKELETON,
-    look_at: "the recursion over the joints: it begins with the root's own transform, not with that of its children",
-    readings: &[reading("", |formula| {
-        formula.joint.offsets = Offsets::ButOfRoots;
-    })],
+    look_at: "where the .skel file is read: the root's line has an offset as well; and the recursion over the joints, \
+              which begins with the root's own transform, not with that of its children",
+    readings: &[
+        reading("in T and in B", |formula| {
+            formula.joint.offsets = Offsets::ButOfRoots;
+            formula.joint.bind_offsets = Offsets::ButOfRoots;
+        }),
+        reading("in T", |formula| {
+            formula.joint.offsets = Offsets::ButOfRoots
+        }),
+    ],
 };
 
 /// Another one at roots alone.
@@ -203,58 +213,6 @@ static ROOT_TRANSFORM_REPEATED: Mistake = Mistake {
         reading("in T", |formula| formula.roots_twice = [true, false]),
         reading("in B", |formula| formula.roots_twice = [false, true]),
     ],
-};
-
-/// A mistake with the angles about the axes.
-static ANGLES_EXCHANGED: Mistake = Mistake {
-    id: "angles-exchanged",
-    meaning: "angles are used about other axes than their own",
-    section: SLIDERS,
-    look_at: "where angles come to setJointTransform: which slider or number is about which axis",
-    readings: &[
-        reading("those about x and y are exchanged", |formula| {
-            formula.joint.axes = [1, 0, 2];
-        }),
-        reading("those about y and z are exchanged", |formula| {
-            formula.joint.axes = [0, 2, 1];
-        }),
-        reading("those about x and z are exchanged", |formula| {
-            formula.joint.axes = [2, 1, 0];
-        }),
-        reading("that about x about y, y about z, z about x", |formula| {
-            formula.joint.axes = [2, 0, 1];
-        }),
-        reading("that about x about z, y about x, z about y", |formula| {
-            formula.joint.axes = [1, 2, 0];
-        }),
-    ],
-};
-
-/// A mistake with the angles of the joints.
-static ANGLES_SHIFTED: Mistake = Mistake {
-    id: "angles-shifted",
-    meaning: "joints have the angles of their neighbors in the file",
-    section: SLIDERS,
-    look_at: "where angles come to setJointTransform: angles i are of joint i, the root being joint 0",
-    readings: &[
-        reading("of the joint before them", |formula| {
-            formula.joint.angles_of = AnglesOf::Before;
-        }),
-        reading("of the joint after them", |formula| {
-            formula.joint.angles_of = AnglesOf::After;
-        }),
-    ],
-};
-
-/// A mistake at roots alone.
-static ROOT_ANGLES_MISSING: Mistake = Mistake {
-    id: "root-angles-missing",
-    meaning: "the root is not turned",
-    section: SLIDERS,
-    look_at: "setJointTransform and the loop over the joints that calls it: the root, joint 0, has sliders as well",
-    readings: &[reading("", |formula| {
-        formula.joint.angles_of = AnglesOf::ItselfButRoots;
-    })],
 };
 
 /// A mistake in what is kept of the recursion over the joints. In T and in B it gives the same as
@@ -354,21 +312,8 @@ static ROOT_NOT_MOVED: Mistake = Mistake {
     readings: &[reading("", |formula| formula.joint.roots_are_moved = false)],
 };
 
-/// A mistake in how often rotations are made.
-pub(super) static ROTATION_REPEATED: Mistake = Mistake {
-    id: "rotation-repeated",
-    meaning: "the rotation of each joint is multiplied on more than once",
-    section: SLIDERS,
-    look_at: "setJointTransform: it sets the joint's transform anew (=) instead of multiplying it on (*=), however often \
-              it runs",
-    readings: &[
-        reading("twice", |formula| formula.joint.times = 2),
-        reading("three times", |formula| formula.joint.times = 3),
-    ],
-};
-
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 31] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 32] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -400,4 +345,5 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 31] = [
     &OFFSET_NOT_TURNED,
     &WRONG_INVERSE,
     &ROTATION_REPEATED,
+    &ANGLE_REPEATED,
 ];

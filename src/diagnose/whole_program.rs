@@ -3,7 +3,8 @@
 use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
-use super::of_whole_program::{OF_WHOLE_PROGRAM, ROTATION_REPEATED};
+use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
+use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
 use super::small_weights;
@@ -27,6 +28,9 @@ pub(super) async fn find(
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
     for mistake in OF_WHOLE_PROGRAM {
+        if std::ptr::eq(mistake, &raw const ANGLE_REPEATED) && !found.is_empty() {
+            continue;
+        }
         for reading in mistake.readings {
             let mut formula = alone.formula();
             (reading.make)(&mut formula);

@@ -7,7 +7,7 @@ use super::{Host, Previous};
 use crate::editor::{Severity, scene_of_selected};
 use crate::io::{self, Diagnostic, Files};
 use crate::scene::{Evaluator, Scene, ShapeId};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 
 /// Files that are written together.
@@ -20,6 +20,31 @@ pub(super) struct Together {
     pub replaced: Vec<PathBuf>,
     /// The document's save that is done with them, if it is.
     pub saves: Option<Writing>,
+    /// What they leave out of what they were made of, in words, if they do.
+    pub left_out: Option<String>,
+}
+
+impl Together {
+    /// The `files`, of which that at `path` was chosen.
+    pub(super) fn new(path: &Path, files: Vec<(PathBuf, Vec<u8>)>) -> Self {
+        Self {
+            path: path.to_owned(),
+            files,
+            replaced: Vec::new(),
+            saves: None,
+            left_out: None,
+        }
+    }
+}
+
+/// Files that are being written together.
+pub(super) struct Exporting {
+    /// The one that was chosen.
+    pub path: PathBuf,
+    /// All of them, with the CRC-32 of their bytes.
+    pub digests: HashMap<PathBuf, u32>,
+    /// What they leave out, in words.
+    pub left_out: Option<String>,
 }
 
 impl Program {
@@ -88,7 +113,7 @@ impl Program {
         let (scene, evaluated) = (self.session.scene(), self.session.evaluated());
         let files = io::expect_extension(path, "obj").and_then(|()| {
             io::export_obj_with_materials(scene, evaluated, &stem)
-                .map(|written| written.into_files(path))
+                .map(|written| Together::new(path, written.into_files(path)))
                 .map_err(|error| Diagnostic::new(path, error.to_string()))
         });
         self.write_exported(path, files, host);
@@ -107,10 +132,11 @@ impl Program {
                 .map(|written| written.into_files(path))
                 .map_err(|error| Diagnostic::new(path, error.to_string()))
         });
-        let left_out = files.is_ok().then(|| io::left_out_of_course(character));
-        if let Some(text) = left_out.flatten() {
-            self.tell(Severity::Warning, text);
-        }
+        let left_out = io::left_out_of_course(character);
+        let files = files.map(|files| Together {
+            left_out,
+            ..Together::new(path, files)
+        });
         self.write_exported(path, files, host);
     }
 
@@ -119,16 +145,17 @@ impl Program {
     fn write_exported(
         &mut self,
         path: &Path,
-        files: Result<Vec<(PathBuf, Vec<u8>)>, Diagnostic>,
+        together: Result<Together, Diagnostic>,
         host: &mut dyn Host,
     ) {
-        match files {
-            Ok(files) => {
+        match together {
+            Ok(together) => {
                 let there = host.files();
                 let sources = self.sources(&*there);
-                match files.iter().find(|(file, _)| sources.have(file)) {
+                let mut files = together.files.iter();
+                match files.find(|(file, _)| sources.have(file)) {
                     Some((file, _)) => self.tell_needed(path, file),
-                    None => self.write_together(path, files, None, host),
+                    None => self.write_together(together, host),
                 }
             }
             Err(error) => self.tell_written(path, Err(error)),
@@ -137,14 +164,9 @@ impl Program {
 
     /// Writes files of which only the one at `path` was chosen; asks before others of which this program
     /// did not write the last version are replaced.
-    pub(super) fn write_together(
-        &mut self,
-        path: &Path,
-        files: Vec<(PathBuf, Vec<u8>)>,
-        saves: Option<Writing>,
-        host: &mut dyn Host,
-    ) {
+    pub(super) fn write_together(&mut self, mut together: Together, host: &mut dyn Host) {
         let there = host.files();
+        let Together { path, files, .. } = &together;
         let others = files.iter().filter(|(file, _)| file != path);
         let is_foreign = |file: &Path, bytes: &[u8]| {
             let own = self.exported.get(file);
@@ -154,12 +176,7 @@ impl Program {
         let replaced = others.filter(|(file, bytes)| is_foreign(file, bytes));
         let mut replaced: Vec<PathBuf> = replaced.map(|(file, _)| file.clone()).collect();
         replaced.sort();
-        let together = Together {
-            path: path.to_owned(),
-            files,
-            replaced,
-            saves,
-        };
+        together.replaced = replaced;
         if together.replaced.is_empty() {
             self.write_now(together, host);
         } else {
@@ -169,7 +186,11 @@ impl Program {
 
     pub(super) fn write_now(&mut self, together: Together, host: &mut dyn Host) {
         let Together {
-            path, files, saves, ..
+            path,
+            files,
+            saves,
+            left_out,
+            replaced: _,
         } = together;
         let previous = match &saves {
             Some(_) => self.previous_version(&path),
@@ -181,19 +202,19 @@ impl Program {
         let digests = files
             .iter()
             .map(|(file, bytes)| (file.clone(), crc32fast::hash(bytes)));
-        self.exporting = Some((path.clone(), digests.collect()));
+        self.exporting = Some(Exporting {
+            path: path.clone(),
+            digests: digests.collect(),
+            left_out,
+        });
         host.write_files(&path, files, previous);
     }
 
-    /// The first of `files` but the one at `path` that is a file of the document and has other bytes.
-    pub(super) fn replaced_source(
-        &self,
-        path: &Path,
-        files: &[(PathBuf, Vec<u8>)],
-        read: &dyn Files,
-    ) -> Option<PathBuf> {
+    /// The first of the files but the chosen one that is a file of the document and has other bytes.
+    pub(super) fn replaced_source(&self, together: &Together, read: &dyn Files) -> Option<PathBuf> {
         let sources = self.sources(read);
-        let mut others = files.iter().filter(|(file, _)| file != path);
+        let files = together.files.iter();
+        let mut others = files.filter(|(file, _)| *file != together.path);
         let replaced = others.find(|(file, bytes)| {
             let is_other = |old: Vec<u8>| old != *bytes;
             sources.have(file) && read.read(file).is_ok_and(is_other)

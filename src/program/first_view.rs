@@ -1,5 +1,6 @@
 //! The view of documents that have none of their own, and of what is imported.
 
+use super::comparison::Comparison;
 use super::running::Program;
 use crate::character::Facing;
 use crate::editor::{Severity, View, bounds_of, is_deep, put_on_ground, set_among};
@@ -122,7 +123,7 @@ impl Program {
     pub(super) fn view_of_import(&mut self, shapes: &mut [NewShape]) -> Option<ViewSettings> {
         let is_first = self.session.scene().shapes().is_empty();
         if is_first {
-            return Some(self.first_view(shapes, self.comparison.is_some()));
+            return Some(self.view_of_first_import(shapes));
         }
         let view = *self.session.view();
         self.make_neutral(shapes, view.look);
@@ -130,6 +131,20 @@ impl Program {
             self.place_import(shapes, &view.camera);
         }
         None
+    }
+
+    /// View of an empty document with the first shapes that are imported. Beside a picture it has the look that this is
+    /// compared in: the course's with the course's camera, another as without the picture, but where the camera stands as
+    /// the page's does.
+    fn view_of_first_import(&self, shapes: &mut [NewShape]) -> ViewSettings {
+        let compared = self.comparison.as_ref();
+        let look = compared.map(|it| it.looks.0);
+        let mut view = self.first_view(shapes, look == Some(Look::Course));
+        view.look = look.unwrap_or(view.look);
+        if compared.is_some_and(|it| it.is_cut) {
+            view.camera = self.session.view().camera;
+        }
+        view
     }
 
     /// Gives shapes that are imported their places among those that are there, as `camera` sees them.
@@ -158,8 +173,12 @@ impl Program {
             self.session.look(View::SetAxis(view.axis));
             self.session.look(View::BeginAt(view.camera));
         }
-        // Under a hand that is about to move what was added, the view stands still.
-        if self.comparison.is_some() || self.ui.is_beginning() {
+        // Under a hand that is about to move what was added, the view stands still, and so it does beside a picture,
+        // unless that was there before everything else and says nothing about the camera.
+        let compared = self.comparison.as_ref();
+        let is_free = |it: &Comparison| it.looks.0 != Look::Course && !it.is_cut;
+        let is_compared = compared.is_some_and(|it| first.is_none() || !is_free(it));
+        if is_compared || self.ui.is_beginning() {
             return;
         }
         if first.is_some() {

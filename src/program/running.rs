@@ -3,6 +3,7 @@ use super::awaited::Awaited;
 use super::clipboard::{CopiedPose, PasteInto};
 use super::comparison::Comparison;
 use super::document_file::DocumentFile;
+use super::exports::Exporting;
 use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
@@ -108,8 +109,8 @@ pub struct Program {
     pub(super) watched: BTreeSet<PathBuf>,
     /// Files that were written together with one that was chosen, with the CRC-32 of their bytes.
     pub(super) exported: HashMap<PathBuf, u32>,
-    /// Those of the write that is under way, with the file that was chosen.
-    pub(super) exporting: Option<(PathBuf, HashMap<PathBuf, u32>)>,
+    /// Those of the write that is under way.
+    pub(super) exporting: Option<Exporting>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
     /// What waits for files that the host brings.

@@ -2,6 +2,7 @@
 
 use super::document::Next;
 use super::document_file::Writing;
+use super::exports::Exporting;
 use super::files::file_name;
 use super::questions::Asked;
 use super::running::Program;
@@ -122,9 +123,15 @@ impl Program {
         let is_saved = result.is_ok();
         self.remember_written(path, is_saved);
         self.tell_written(path, result);
-        if let Some((_, digests)) = self.exporting.take_if(|(exported, _)| exported == path)
+        if let Some(exported) = self.exporting.take_if(|exporting| exporting.path == path)
             && is_saved
         {
+            let Exporting {
+                digests, left_out, ..
+            } = exported;
+            if let Some(text) = left_out {
+                self.tell(Severity::Warning, text);
+            }
             let pose = path.with_extension("json");
             if pose != path && digests.contains_key(&pose) {
                 // A character is opened at rest, as its files have it.

@@ -4,7 +4,7 @@
 use super::comparison::Comparison;
 use super::document::Next;
 use super::document_file::Writing;
-use super::exports::needed_error;
+use super::exports::{Together, needed_error};
 use super::files::file_name;
 use super::mesh_comparison::MeshComparison;
 use super::running::Program;
@@ -14,9 +14,6 @@ use crate::io::{self, Diagnostic, Files, Package, Reimported, builtin};
 use crate::scene::{Shape, ShapeId, ShapeKind, Source};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-
-/// Files with their bytes, and the save of the document that writing them is.
-type Saved = (Vec<(PathBuf, Vec<u8>)>, Option<Writing>);
 
 impl Program {
     /// Has the host watch the files of the document, if they are others than before.
@@ -224,10 +221,10 @@ impl Program {
         }
         match self.package(path, host) {
             Ok(package) => {
-                let (files, saves) = self.scene_with_folder(path, package, host);
-                match self.replaced_source(path, &files, &*host.files()) {
+                let together = self.scene_with_folder(path, package, host);
+                match self.replaced_source(&together, &*host.files()) {
                     Some(needed) => self.tell_needed(path, &needed),
-                    None => self.write_together(path, files, saves, host),
+                    None => self.write_together(together, host),
                 }
             }
             Err(error) => self.tell_written(path, Err(error)),
@@ -248,7 +245,11 @@ impl Program {
                     sources: Vec::new(),
                     then,
                 });
-                self.write_together(path, vec![(path.to_owned(), bytes)], saves, host);
+                let together = Together {
+                    saves,
+                    ..Together::new(path, vec![(path.to_owned(), bytes)])
+                };
+                self.write_together(together, host);
             }
             Err(error) => self.tell_written(path, Err(error)),
         }
@@ -289,7 +290,7 @@ impl Program {
 
     /// The scene at `path` with the files of `package` beside it, and what that saves of the document:
     /// all of it, if it has no file or this one.
-    fn scene_with_folder(&self, path: &Path, package: Package, host: &dyn Host) -> Saved {
+    fn scene_with_folder(&self, path: &Path, package: Package, host: &dyn Host) -> Together {
         let folder = path.parent().unwrap_or(Path::new(""));
         let is_own = self.document.path().is_none() || self.is_own(path, &*host.files());
         let text = package.files.first().filter(|_| is_own);
@@ -312,7 +313,10 @@ impl Program {
         // The scene comes last: it must not be there without its files.
         let files = package.files.into_iter().rev();
         let files = files.map(|(name, bytes)| (folder.join(name), bytes));
-        (files.collect(), saves)
+        Together {
+            saves,
+            ..Together::new(path, files.collect())
+        }
     }
 
     /// Says which models are not where the document, just saved, names them, and which archives it needs for

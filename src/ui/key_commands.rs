@@ -242,7 +242,8 @@ pub(super) fn press(
         }
     }
     // Who has just clicked a row of the list means the shape, and not a joint of it.
-    let of_row = command == Command::Delete && state.shape_row_has_keys;
+    let row_has_keys = state.shape_row_keys == Some(state.pose.tool);
+    let of_row = command == Command::Delete && row_has_keys;
     let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)
         && !of_row
         && selected_character(session).is_some()
@@ -256,7 +257,7 @@ pub(super) fn press(
     }
     let of_bone = state.navigation == Navigation::Blender
         && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
-        && !state.shape_row_has_keys
+        && !row_has_keys
         && session.selected_joint().is_some();
     // In Blender these keys are about the selected bones.
     let why = match command {

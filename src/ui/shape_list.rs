@@ -46,9 +46,9 @@ pub(super) fn show(
     actions: &mut Vec<Action>,
 ) {
     section(ui, "Shape Selector");
-    state.shape_row_has_keys = false;
     let shapes = session.scene().shapes();
     if shapes.is_empty() {
+        state.shape_row_keys = None;
         ui.label(RichText::new("Nothing here yet. Insert adds a shape or a character.").weak());
         return;
     }
@@ -129,13 +129,16 @@ fn rows(
         }
         responses.push(row);
     }
-    // egui takes it from a row after clicks elsewhere, but not after drags.
+    // egui takes it from a row after clicks elsewhere, but not after drags, nor where a key chooses another tool, whose keys
+    // are about what it works on.
     let is_pressed = ui.input(|input| input.pointer.any_pressed());
+    let (tool, keys_before) = (state.pose.tool, state.shape_row_keys.take());
     for row in responses.iter().filter(|row| row.has_focus()) {
-        if is_pressed && !row.contains_pointer() {
+        let is_clicked_elsewhere = is_pressed && !row.contains_pointer();
+        if is_clicked_elsewhere || keys_before.is_some_and(|before| before != tool) {
             row.surrender_focus();
         } else {
-            state.shape_row_has_keys = true;
+            state.shape_row_keys = Some(tool);
         }
     }
     // After all rows, whose colors would cover half of it.

@@ -85,8 +85,9 @@ pub struct UiState {
     pub(super) context_menu: Option<OpenMenu>,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
-    /// Whether a row of the list of shapes had the keyboard in the last frame, as after a click on it.
-    pub(super) shape_row_has_keys: bool,
+    /// Tool with which a row of the list of shapes has had the keyboard since it was clicked. With another tool it has
+    /// it no longer.
+    pub(super) shape_row_keys: Option<Tool>,
     /// Name typed for a shape.
     pub(super) renaming: Option<Renaming>,
     pub(super) curves: CurveState,
@@ -164,7 +165,7 @@ impl Default for UiState {
             finger_rested: None,
             context_menu: None,
             search: None,
-            shape_row_has_keys: false,
+            shape_row_keys: None,
             renaming: None,
             curves: CurveState::default(),
             pose: PoseState::default(),

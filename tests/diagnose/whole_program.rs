@@ -81,6 +81,78 @@ fn angles_about_other_axes_are_named_with_these_axes() {
 }
 
 #[test]
+fn an_angle_that_is_used_about_several_axes_is_named_with_these() {
+    let of_slider = |slider| of(&Student { slider, ..RIGHT }, 64);
+    for (found, how) in [
+        (
+            of_slider(|a| Vec3::new(a.x, a.x, a.z)),
+            "that about x about x and y",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.x, a.y, a.x)),
+            "that about x about x and z",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.y, a.y, a.z)),
+            "that about y about x and y",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.x, a.y, a.y)),
+            "that about y about y and z",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.z, a.y, a.z)),
+            "that about z about x and z",
+        ),
+        (
+            of_slider(|a| Vec3::new(a.x, a.z, a.z)),
+            "that about z about y and z",
+        ),
+        (
+            of_slider(|a| Vec3::splat(a.x)),
+            "that about x about all three",
+        ),
+        (
+            of_slider(|a| Vec3::splat(a.y)),
+            "that about y about all three",
+        ),
+        (
+            of_slider(|a| Vec3::splat(a.z)),
+            "that about z about all three",
+        ),
+    ] {
+        assert_named(&found, "angle-repeated", how);
+    }
+}
+
+#[test]
+fn of_a_pose_with_few_angles_the_simpler_mistake_is_told_and_not_an_angle_that_is_used_twice() {
+    let diagnosed = |only: Vec3, slider| {
+        let angles = turned(65);
+        let figure = Figure::builtin("adult", |joint| angles(joint) * only);
+        figure.diagnose(&written(&Student { slider, ..RIGHT }.skin(&figure), 6))
+    };
+    // Without angles about z, that about y is not used, whatever takes its place.
+    let found = diagnosed(Vec3::new(1.0, 1.0, 0.0), |a| Vec3::new(a.x, a.z, a.z));
+    assert_eq!(found.causes, ["one-axis-ignored-y"], "{found}");
+    // With angles about x alone, the one about y has taken it.
+    let found = diagnosed(Vec3::X, |a| Vec3::new(a.y, a.x, a.y));
+    assert_eq!(found.causes, ["angles-exchanged"], "{found}");
+}
+
+#[test]
+fn an_angle_that_is_used_twice_is_named_beside_another_mistake() {
+    let wrong = Student {
+        slider: |angles| Vec3::new(angles.x, angles.y, angles.y),
+        product: |t, _| t,
+        ..RIGHT
+    };
+    let found = of(&wrong, 66);
+    let ids: BTreeSet<&str> = found.together().into_iter().collect();
+    assert_eq!(ids, ["angle-repeated", "no-inverse-bind"].into(), "{found}");
+}
+
+#[test]
 fn angles_of_neighboring_joints_are_named() {
     let figure = Figure::builtin("adult", turned(63));
     let mut before = Figure::builtin("adult", turned(63));
@@ -698,11 +770,24 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
         skinned.map(|at| at - offset).collect()
     };
     let found = all_turned.diagnose(&written(&without_offset(&all_turned), 6));
-    assert_named(&found, "root-translation-missing", "");
+    assert_named(&found, "root-translation-missing", "in T");
     // Of a root that is not turned the offset is all.
     let found = figure.diagnose(&written(&without_offset(&figure), 6));
     let both = ["root-translation-missing", "root-transform-missing"];
     assert_eq!(found.causes, both, "{found}");
+    // The root's line is read with an offset of 0, which is named in every pose.
+    for is_turned in [true, false] {
+        let mut wrong = Figure::builtin("adult", |joint| match joint == root && !is_turned {
+            true => Vec3::ZERO,
+            false => turned(67)(joint),
+        });
+        let degrees = wrong.degrees.clone();
+        let given = Figure::builtin("adult", |joint| degrees[joint]);
+        wrong.offsets[root] = Vec3::ZERO;
+        let found = given.diagnose(&written(&RIGHT.skin(&wrong), 6));
+        assert_eq!(found.causes[0], "root-translation-missing", "{found}");
+        assert_eq!(found.mistakes[0].how, "in T and in B");
+    }
 
     // The recursion begins with the children of the root.
     let mut without_root = Figure::builtin("adult", |joint| match joint == root {

@@ -473,6 +473,59 @@ fn a_document_in_the_mannequin_look_is_compared_in_it() {
     assert_eq!(story.session().view().look, Look::Mannequin);
 }
 
+/// A picture of what is seen as the Virtual Mannequin's page has it, with its keyframes below.
+fn screenshot_of_page(story: &mut Story) -> Vec<u8> {
+    story.save_view((300, 200), "page.png");
+    let saved = &story.host.written[Path::new("page.png")];
+    let mut page = image::decode(Path::new("page.png"), saved).unwrap();
+    page.height += 200;
+    page.rgba.extend([26, 26, 26, 255].repeat(300 * 200));
+    image::encode(&page, PictureFormat::Png).unwrap()
+}
+
+#[test]
+fn a_character_that_is_imported_beside_a_picture_has_the_look_that_this_is_compared_in() {
+    let seen = |story: &mut Story, view| {
+        let view = vec![Action::View(view)];
+        story.program.carry_out(view, &mut story.host);
+    };
+    let imported_beside = |picture: Vec<u8>| {
+        let mut story = Story::start(&[]);
+        story.host.files.insert("theirs.png".into(), picture);
+        story.key(Key::F8);
+        story.choose("theirs.png");
+        story.host.drop_file("builtin:rigs/lizard");
+        story.settle();
+        assert!(story.has("Stop comparing") && story.names() == ["Lizard"]);
+        story
+    };
+    let mut theirs = Story::start(&["builtin:rigs/lizard"]);
+    let alone = theirs.session().view().camera;
+    theirs.save_view((300, 200), "theirs.png");
+    let of_studio = theirs.host.written[Path::new("theirs.png")].clone();
+    seen(&mut theirs, View::SetLook(Look::Mannequin));
+    seen(&mut theirs, View::SetCamera(Camera::of_mannequin()));
+    let of_page = screenshot_of_page(&mut theirs);
+    seen(&mut theirs, View::SetLook(Look::Course));
+    theirs.save_view((300, 200), "theirs.png");
+    let of_course = theirs.host.written[Path::new("theirs.png")].clone();
+
+    let mut story = imported_beside(of_page);
+    assert_eq!(story.session().view().look, Look::Mannequin);
+    assert_eq!(story.session().view().camera, Camera::of_mannequin());
+    story.click("Stop comparing");
+    assert_ne!(story.session().view().camera, Camera::of_mannequin());
+
+    let story = imported_beside(of_course);
+    assert_eq!(story.session().view().look, Look::Course);
+    assert_eq!(story.session().view().camera, Camera::default());
+
+    let story = imported_beside(of_studio);
+    assert_eq!(story.session().view().look, Look::Studio);
+    let Camera { theta, phi, .. } = story.session().view().camera;
+    assert_eq!((theta, phi), (alone.theta, alone.phi), "from the front");
+}
+
 #[test]
 fn a_screenshot_of_the_mannequins_page_is_compared_without_its_keyframes_from_where_the_page_starts()
  {
@@ -495,13 +548,8 @@ fn a_screenshot_of_the_mannequins_page_is_compared_without_its_keyframes_from_wh
             Camera::of_mannequin()
         };
         story.program.carry_out(seen(of_page), &mut story.host);
-        story.save_view((300, 200), "page.png");
-        let saved = &story.host.written[Path::new("page.png")];
-        let mut page = image::decode(Path::new("page.png"), saved).unwrap();
-        page.height += 200;
-        page.rgba.extend([26, 26, 26, 255].repeat(300 * 200));
-        let bytes = image::encode(&page, PictureFormat::Png).unwrap();
-        story.host.files.insert("page.png".into(), bytes);
+        let page = screenshot_of_page(&mut story);
+        story.host.files.insert("page.png".into(), page);
         let camera = if is_moved { moved } else { start };
         story.program.carry_out(seen(camera), &mut story.host);
         story.program.carry_out(look(before), &mut story.host);

@@ -257,6 +257,28 @@ fn a_character_is_exported_in_the_courses_format_with_its_pose_and_opens_again()
 }
 
 #[test]
+fn what_an_exported_character_leaves_out_is_told_once_it_is_written() {
+    let mut story = Story::start(&["builtin:crate"]);
+    let is_told = |story: &Story| {
+        let told = story.messages();
+        told.iter()
+            .any(|(_, text)| text.starts_with("The course's files have no "))
+    };
+    let taken = Path::new("out/mine.obj");
+    story.host.files.insert(taken.into(), b"theirs".to_vec());
+    story.click("File");
+    story.click("Export Character…");
+    story.choose("out/mine.skel");
+    story.click("Cancel");
+    assert!(!is_told(&story), "nothing is written");
+    story.click("File");
+    story.click("Export Character…");
+    story.choose("out/mine.skel");
+    story.click("Overwrite");
+    assert!(is_told(&story), "{:?}", story.messages());
+}
+
+#[test]
 fn files_beside_an_export_are_replaced_only_after_asking() {
     let mut story = Story::start(&["models/strip.obj"]);
     let theirs = b"theirs".to_vec();

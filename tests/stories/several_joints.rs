@@ -230,6 +230,25 @@ fn delete_beside_all_joints_does_not_take_the_figure_that_is_posed() {
 }
 
 #[test]
+fn delete_with_a_tool_that_poses_is_about_joints_though_a_row_of_the_list_was_clicked_before() {
+    for (tool, key) in [(Key::J, Key::X), (Key::I, Key::Delete)] {
+        let mut story = Story::start(&["builtin:robot"]);
+        story.program.ui_mut().set_navigation(Navigation::Blender);
+        story.click("[1] Robot (ID: 1)");
+        story.key(tool);
+        story.key(key);
+        assert_eq!(story.names(), ["Robot"], "{:?}", story.messages());
+        let (_, said) = *story.messages().last().expect("it says why");
+        assert!(said.starts_with("No joint is selected"), "{said}");
+        // A row that is clicked with the tool means the shape.
+        story.wait(1.0);
+        story.click("[1] Robot (ID: 1)");
+        story.key(key);
+        assert!(story.names().is_empty());
+    }
+}
+
+#[test]
 fn arrow_keys_roll_the_bone_that_was_dragged_last_until_the_pointer_moves() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.program.ui_mut().set_navigation(Navigation::Mannequin);

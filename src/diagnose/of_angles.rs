@@ -1,0 +1,106 @@
+//! Mistakes of a whole program with the angles of joints, and in how often they count.
+
+use super::formula::AnglesOf;
+use super::mistake::{Mistake, SLIDERS, reading};
+
+/// A mistake with the angles about the axes.
+pub(super) static ANGLES_EXCHANGED: Mistake = Mistake {
+    id: "angles-exchanged",
+    meaning: "angles are used about other axes than their own",
+    section: SLIDERS,
+    look_at: "where angles come to setJointTransform: which slider or number is about which axis",
+    readings: &[
+        reading("those about x and y are exchanged", |formula| {
+            formula.joint.axes = [1, 0, 2];
+        }),
+        reading("those about y and z are exchanged", |formula| {
+            formula.joint.axes = [0, 2, 1];
+        }),
+        reading("those about x and z are exchanged", |formula| {
+            formula.joint.axes = [2, 1, 0];
+        }),
+        reading("that about x about y, y about z, z about x", |formula| {
+            formula.joint.axes = [2, 0, 1];
+        }),
+        reading("that about x about z, y about x, z about y", |formula| {
+            formula.joint.axes = [1, 2, 0];
+        }),
+    ],
+};
+
+/// A mistake with one angle. Where a pose has few angles others give the same, so it is tried after them.
+pub(super) static ANGLE_REPEATED: Mistake = Mistake {
+    id: "angle-repeated",
+    meaning: "one angle is used about several axes, in the place of others",
+    section: SLIDERS,
+    look_at: "setJointTransform and where angles come to it: each of the three rotations has an angle of its own",
+    readings: &[
+        reading("that about x about x and y", |formula| {
+            formula.joint.axes = [0, 0, 2];
+        }),
+        reading("that about x about x and z", |formula| {
+            formula.joint.axes = [0, 1, 0];
+        }),
+        reading("that about y about x and y", |formula| {
+            formula.joint.axes = [1, 1, 2];
+        }),
+        reading("that about y about y and z", |formula| {
+            formula.joint.axes = [0, 1, 1];
+        }),
+        reading("that about z about x and z", |formula| {
+            formula.joint.axes = [2, 1, 2];
+        }),
+        reading("that about z about y and z", |formula| {
+            formula.joint.axes = [0, 2, 2];
+        }),
+        reading("that about x about all three", |formula| {
+            formula.joint.axes = [0; 3];
+        }),
+        reading("that about y about all three", |formula| {
+            formula.joint.axes = [1; 3];
+        }),
+        reading("that about z about all three", |formula| {
+            formula.joint.axes = [2; 3];
+        }),
+    ],
+};
+
+/// A mistake with the angles of the joints.
+pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
+    id: "angles-shifted",
+    meaning: "joints have the angles of their neighbors in the file",
+    section: SLIDERS,
+    look_at: "where angles come to setJointTransform: angles i are of joint i, the root being joint 0",
+    readings: &[
+        reading("of the joint before them", |formula| {
+            formula.joint.angles_of = AnglesOf::Before;
+        }),
+        reading("of the joint after them", |formula| {
+            formula.joint.angles_of = AnglesOf::After;
+        }),
+    ],
+};
+
+/// A mistake at roots alone.
+pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
+    id: "root-angles-missing",
+    meaning: "the root is not turned",
+    section: SLIDERS,
+    look_at: "setJointTransform and the loop over the joints that calls it: the root, joint 0, has sliders as well",
+    readings: &[reading("", |formula| {
+        formula.joint.angles_of = AnglesOf::ItselfButRoots;
+    })],
+};
+
+/// A mistake in how often rotations are made.
+pub(super) static ROTATION_REPEATED: Mistake = Mistake {
+    id: "rotation-repeated",
+    meaning: "the rotation of each joint is multiplied on more than once",
+    section: SLIDERS,
+    look_at: "setJointTransform: it sets the joint's transform anew (=) instead of multiplying it on (*=), however often \
+              it runs",
+    readings: &[
+        reading("twice", |formula| formula.joint.times = 2),
+        reading("three times", |formula| formula.joint.times = 3),
+    ],
+};
