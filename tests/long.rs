@@ -130,7 +130,10 @@ fn deed(story: &mut Story, dice: &mut Dice) {
         7 => vec![Action::Ask(Ask::ImportCharacter)],
         8 => vec![Action::Ask(Ask::InsertBuiltin("robot"))],
         9 => vec![Action::Ask(Ask::ExportGeometry)],
-        10 => vec![Action::Ask(Ask::CopyPose(character))],
+        10 => vec![Action::Ask(Ask::CopyPose {
+            shape: character,
+            joints: Vec::new(),
+        })],
         11 => vec![Action::Ask(Ask::PastePose(character))],
         12 if dice.roll(20) == 0 => vec![Action::Ask(Ask::New)],
         13 => {

@@ -152,7 +152,8 @@ pub(super) static PICTURE_TURNED: Mistake = Mistake {
     id: super::PICTURE_TURNED,
     meaning: "the picture is upside down or mirrored",
     section: SSD,
-    look_at: "where the picture is written: glReadPixels begins with the lowest row, and picture files with the highest",
+    look_at: "where the picture is written: glReadPixels begins with the lowest row, and picture files with the highest; \
+              columns go from left to right in both",
     readings: &[],
 };
 

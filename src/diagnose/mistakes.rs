@@ -153,8 +153,8 @@ pub static MISTAKES: &[Mistake] = &[
         id: POSE_NOT_APPLIED,
         meaning: "the mesh is in the bind pose",
         section: SLIDERS,
-        look_at: "whether angles reach setJointTransform, and whether \
-                  updateCurrentJointToWorldTransforms and updateMeshVertices run after it, but not \
+        look_at: "whether angles reach setJointTransform, whether the recursion comes to the joints below the root, and \
+                  whether updateCurrentJointToWorldTransforms and updateMeshVertices run after it, but not \
                   computeBindWorldToJointTransforms, which would make B of the pose",
         readings: &[
             reading("as the formula gives it", |formula| {

@@ -39,7 +39,8 @@ type Way = (&'static Mistake, String, Vec<Vec3>);
 const SAMPLE: usize = 96;
 
 /// What has to be kept to give `theirs` in the pose of the test `own`: something of one that is `before` or `after` it,
-/// or of all before it; if need be beside one of the other mistakes.
+/// or of all that came before it in the order of the tests or of their names, forwards or backwards; if need be beside one
+/// of the other mistakes.
 pub(super) fn find(
     character: &Character,
     own: &Posed<'_>,
@@ -100,10 +101,10 @@ fn kept_by(
     before: &[Posed<'_>],
     after: &[Posed<'_>],
 ) -> Option<((&'static Mistake, String), f64)> {
-    let alone = before.iter().chain(after).map(std::slice::from_ref);
-    let all_before = Some(before).filter(|before| before.len() > 1);
-    let mut found = alone.chain(all_before).filter_map(|tests| {
-        let kept = Kept { by, tests };
+    let alone = before.iter().chain(after).map(|test| vec![*test]);
+    let together = come_before(own, before, after);
+    let mut found = alone.chain(together).filter_map(|tests| {
+        let kept = Kept { by, tests: &tests };
         kept.ways(own)
             .into_iter()
             .find_map(|(mistake, how, places)| {
@@ -112,6 +113,31 @@ fn kept_by(
             })
     });
     found.next()
+}
+
+/// The tests, where they are several, that come before `own` in the orders in which a program may have made all of them.
+fn come_before<'a>(
+    own: &Posed<'a>,
+    before: &[Posed<'a>],
+    after: &[Posed<'a>],
+) -> Vec<Vec<Posed<'a>>> {
+    let of_file = [before, std::slice::from_ref(own), after].concat();
+    let mut by_name = of_file.clone();
+    by_name.sort_by_key(|test| test.name);
+    let mut found: Vec<Vec<Posed>> = Vec::new();
+    for mut order in [of_file, by_name] {
+        for _ in 0..2 {
+            let come_before = order.iter().take_while(|test| test.name != own.name);
+            let come_before: Vec<Posed> = come_before.copied().collect();
+            let names = |tests: &[Posed<'a>]| tests.iter().map(|it| it.name).collect::<Vec<_>>();
+            let is_known = found.iter().any(|it| names(it) == names(&come_before));
+            if come_before.len() > 1 && !is_known {
+                found.push(come_before);
+            }
+            order.reverse();
+        }
+    }
+    found
 }
 
 /// The character with one of `step` of its vertices, and no triangles.

@@ -187,13 +187,13 @@ impl Program {
             Ask::Reload => self.reload(host),
             Ask::FindSource(shape) => self.find_source(shape, host),
             Ask::Answer(answer) => self.take_answer(answer, host),
-            Ask::CopyShapes => drop(self.copy_shapes(host)),
+            Ask::CopyShapes => drop(self.copy_shapes("Copied", host)),
             Ask::CutShapes => self.cut_shapes(host),
             Ask::Paste => {
                 let shape = self.session.selected();
                 self.ask_for_clipboard(shape, Pasted::whole(Sides::AsTheyAre), host);
             }
-            Ask::CopyPose(shape) => self.copy_pose(shape, host),
+            Ask::CopyPose { shape, joints } => self.copy_pose(shape, joints, host),
             Ask::PastePose(shape) => self.ask_for_pose(shape, Sides::AsTheyAre, host),
             Ask::PastePoseMirrored(shape) => self.ask_for_pose(shape, Sides::Exchanged, host),
             Ask::PastePoseOnto {
@@ -206,7 +206,10 @@ impl Program {
                     true => Sides::Exchanged,
                     false => Sides::AsTheyAre,
                 };
-                let pasted = Pasted { sides, joints };
+                let pasted = Pasted {
+                    joints,
+                    ..Pasted::whole(sides)
+                };
                 self.ask_for_clipboard(Some(shape), pasted, host);
             }
             Ask::Compare(action) => self.compare(action, host),

@@ -36,6 +36,8 @@ pub(super) struct Pasted {
     pub sides: Sides,
     /// The joints that get it; `None` for all.
     pub joints: Option<Vec<usize>>,
+    /// Whether these are the ones of which it was copied, and not those that are selected.
+    pub as_copied: bool,
 }
 
 impl Pasted {
@@ -44,6 +46,7 @@ impl Pasted {
         Self {
             sides,
             joints: None,
+            as_copied: false,
         }
     }
 
@@ -69,31 +72,36 @@ impl Pasted {
     }
 }
 
-/// A pose that was put on the clipboard.
+/// A pose of which some joints were put on the clipboard. Its text has all of them, for other windows.
 #[derive(Clone, Debug)]
 pub(super) struct CopiedPose {
     /// The character that has it.
     shape: ShapeId,
-    /// The joints that were selected.
-    joints: Vec<usize>,
+    /// The joints that alone are meant, by index and name.
+    joints: Vec<(usize, String)>,
     /// What was put on the clipboard.
     text: String,
 }
 
 impl CopiedPose {
-    /// The joints that get it where it is pasted mirrored while those of `selected` are: where a joint was already when it was
-    /// copied, the one on the other side is meant.
-    fn mirrored_onto(&self, mirror: &Mirror, selected: &[usize]) -> Vec<usize> {
-        let mut joints: Vec<usize> = selected
+    /// The joints of the character `shape` that get it: those of the same names in another one.
+    fn onto(&self, shape: ShapeId, skeleton: &SkeletalModel, sides: Sides) -> Vec<usize> {
+        let all = skeleton.joints();
+        let named = |name: &str| all.iter().position(|joint| joint.name == name);
+        let joints = self
+            .joints
             .iter()
-            .map(|&joint| match self.joints.contains(&joint) {
-                true => mirror.partner(joint),
-                false => joint,
-            })
-            .collect();
-        joints.sort_unstable();
-        joints.dedup();
-        joints
+            .filter_map(|(index, name)| match self.shape == shape {
+                true => Some(*index),
+                false => named(name),
+            });
+        match sides {
+            Sides::AsTheyAre => joints.collect(),
+            Sides::Exchanged => {
+                let mirror = Mirror::new(skeleton);
+                joints.map(|joint| mirror.partner(joint)).collect()
+            }
+        }
     }
 }
 
@@ -132,60 +140,64 @@ impl Program {
         host.request_paste();
     }
 
-    /// Puts the pose of the character `shape` on the clipboard.
-    pub(super) fn copy_pose(&mut self, shape: ShapeId, host: &mut dyn Host) {
+    /// Puts the pose of the character `shape` on the clipboard, of which `joints` alone are meant if there are any.
+    pub(super) fn copy_pose(&mut self, shape: ShapeId, joints: Vec<usize>, host: &mut dyn Host) {
         let Some(text) = self.pose_text(shape, None) else {
             return;
         };
         host.copy_text(text.clone());
-        let joints = match self.session.selected() == Some(shape) {
-            true => self.session.selected_joints().to_vec(),
-            false => Vec::new(),
+        let scene = self.session.scene();
+        let Some((of, character)) = scene.shape(shape).zip(scene.character(shape)) else {
+            return;
         };
-        self.copied_pose = Some(CopiedPose {
+        let all = character.character.skeleton().joints();
+        let joints: Vec<(usize, String)> = joints
+            .into_iter()
+            .filter_map(|joint| Some((joint, all.get(joint)?.name.clone())))
+            .collect();
+        let told = match &*joints {
+            [] => format!("Copied the pose of {}", of.name),
+            [(_, name)] => {
+                format!("Copied the pose of {name} alone; with no joint selected, of all")
+            }
+            some => format!(
+                "Copied the pose of {} joints; with none selected, of all",
+                some.len()
+            ),
+        };
+        self.tell(Severity::Info, told);
+        let copied = CopiedPose {
             shape,
             joints,
             text,
-        });
-        let name = self.session.scene().shape(shape).map(|shape| &shape.name);
-        let name = name.map_or("the character", String::as_str);
-        let text = format!("Copied the pose of {name}");
-        self.tell(Severity::Info, text);
+        };
+        self.copied_pose = Some(copied).filter(|copied| !copied.joints.is_empty());
     }
 
     /// What the character `shape` gets of the pose `text`.
     fn meant(&self, pasted: Pasted, shape: ShapeId, text: &str) -> Pasted {
         let copied = self.copied_pose.as_ref();
-        let copied = copied.filter(|it| it.shape == shape && it.text.lines().eq(text.lines()));
-        let character = self.session.scene().character(shape);
-        match (copied, character, &pasted) {
-            (
-                Some(copied),
-                Some(character),
-                Pasted {
-                    sides: Sides::Exchanged,
-                    joints: Some(selected),
-                },
-            ) => {
-                let mirror = Mirror::new(character.character.skeleton());
-                Pasted {
-                    joints: Some(copied.mirrored_onto(&mirror, selected)),
-                    ..pasted
-                }
-            }
-            _ => pasted,
+        let copied = copied.filter(|it| it.text.lines().eq(text.lines()));
+        let Some((copied, character)) = copied.zip(self.session.scene().character(shape)) else {
+            return pasted;
+        };
+        let skeleton = character.character.skeleton();
+        Pasted {
+            joints: Some(copied.onto(shape, skeleton, pasted.sides)),
+            as_copied: true,
+            ..pasted
         }
     }
 
-    /// Puts the selected shapes on the clipboard; whether that was possible.
-    pub(super) fn copy_shapes(&mut self, host: &mut dyn Host) -> bool {
+    /// Puts the selected shapes on the clipboard, which messages call `done`; whether that was possible.
+    pub(super) fn copy_shapes(&mut self, done: &str, host: &mut dyn Host) -> bool {
         let scene = scene_of_selected(&self.session);
         match io::scene_text(&scene, self.session.view(), None) {
             Ok(text) => {
                 host.copy_text(text);
                 let text = match scene.shapes() {
-                    [shape] => format!("Copied {}", shape.name),
-                    shapes => format!("Copied {} shapes", shapes.len()),
+                    [shape] => format!("{done} {}", shape.name),
+                    shapes => format!("{done} {} shapes", shapes.len()),
                 };
                 self.tell(Severity::Info, text);
                 true
@@ -202,7 +214,7 @@ impl Program {
         let Some(id) = self.session.selected() else {
             return;
         };
-        if self.copy_shapes(host) {
+        if self.copy_shapes("Cut", host) {
             let edit = for_all_selected(&self.session, Edit::Delete(id));
             self.edit(edit);
         }

@@ -268,12 +268,20 @@ impl Program {
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
                 let (pose, onto) = pasted.onto(skeleton, character.pose(), pose);
-                if let Some(told) = onto.map(|joints| pasted_onto(skeleton, &joints)) {
-                    self.tell(Severity::Info, told);
-                }
-                if !missing.is_empty() {
-                    let text = without(path, &missing);
-                    self.tell(Severity::Warning, text);
+                let told = match onto {
+                    Some(joints) if joints.is_empty() => {
+                        let text = "The pose on the clipboard is of joints that this character does not have";
+                        return self.tell(Severity::Warning, text);
+                    }
+                    Some(joints) => {
+                        let told = pasted_onto(skeleton, &joints, pasted.as_copied);
+                        Some((Severity::Info, told))
+                    }
+                    None if missing.is_empty() => None,
+                    None => Some((Severity::Warning, without(path, &missing))),
+                };
+                if let Some((severity, told)) = told {
+                    self.tell(severity, told);
                 }
                 self.edit(Edit::SetPose(shape, pose));
             }
@@ -353,13 +361,16 @@ pub(super) fn file_stem(name: &str) -> String {
     }
 }
 
-/// That a pose was given to these joints alone.
-fn pasted_onto(skeleton: &SkeletalModel, joints: &[usize]) -> String {
+/// That a pose was given to these joints alone, which are those it was copied of or those that are selected.
+fn pasted_onto(skeleton: &SkeletalModel, joints: &[usize], as_copied: bool) -> String {
     let onto = match joints {
         &[joint] => format!("{} alone", skeleton.joints()[joint].name),
         joints => format!("{} joints", joints.len()),
     };
-    format!("Pasted onto {onto}; with no joint selected, onto all")
+    match as_copied {
+        true => format!("Pasted onto {onto}, as copied"),
+        false => format!("Pasted onto {onto}; with no joint selected, onto all"),
+    }
 }
 
 /// Message about a pose that some joints of `missing` names were left out of.

@@ -135,9 +135,11 @@ impl Program {
             let pose = path.with_extension("json");
             if pose != path && digests.contains_key(&pose) {
                 // A character is opened at rest, as its files have it.
+                let obj = path.with_extension("obj");
                 let text = format!(
-                    "Its pose is in {}: Pose ⏵ Load Pose… gives it to the character again",
-                    file_name(&pose)
+                    "Its pose is in {}, for the character as {} has it: with that open, Pose ⏵ Load Pose… gives it",
+                    file_name(&pose),
+                    file_name(&obj)
                 );
                 self.tell(Severity::Info, text);
             }

@@ -12,6 +12,9 @@ const WITHOUT_SIZE: f32 = 0.5;
 /// Room for what is fitted, over its size.
 const MARGIN: f32 = 1.1;
 
+/// Least share of the width or height of a picture that is left to what stays clear of a corner.
+const LEAST_FREE: f32 = 0.4;
+
 /// Rays in each direction of a picture by which it is told how much something that reaches behind the eye takes up.
 const ACROSS: usize = 12;
 
@@ -20,8 +23,10 @@ const ACROSS: usize = 12;
 pub struct FitArea {
     /// Width of the picture over its height.
     pub aspect: f32,
-    /// Shares of its width and height, about its middle, that nothing else covers.
+    /// Shares of its width and height, about its middle, that nothing else covers, …
     pub free: Vec2,
+    /// … but for these shares, which something covers in the upper right corner.
+    pub corner: Vec2,
 }
 
 impl FitArea {
@@ -30,7 +35,23 @@ impl FitArea {
         Self {
             aspect,
             free: Vec2::ONE,
+            corner: Vec2::ZERO,
         }
+    }
+
+    /// Parts of the free area of which nothing is covered: all that is below the corner, and all beside it.
+    fn beside_corner(self) -> [Self; 2] {
+        let Vec2 { x, y } = self.free;
+        let beside = (1.0 - 2.0 * self.corner).max(Vec2::splat(LEAST_FREE));
+        let with_free = |free| Self {
+            free,
+            corner: Vec2::ZERO,
+            ..self
+        };
+        [
+            with_free(Vec2::new(x, y.min(beside.y))),
+            with_free(Vec2::new(x.min(beside.x), y)),
+        ]
     }
 }
 
@@ -81,8 +102,52 @@ impl Camera {
     }
 
     /// Fits shapes into the free part of a picture, as [`Camera::fit`] does, but by their vertices: as
-    /// near as they let it, and in the middle of the picture. No shapes change nothing.
+    /// near as they let it, in the middle of the picture, and clear of its covered corner. No shapes change nothing.
     pub fn fit_shapes<'a>(
+        &mut self,
+        shapes: impl Iterator<Item = &'a EvaluatedShape> + Clone,
+        area: FitArea,
+    ) {
+        let before = *self;
+        self.fit_all_of(shapes.clone(), area);
+        if !self.reach_into_corner(shapes.clone(), area) {
+            return;
+        }
+        let [below, beside] = area.beside_corner().map(|area| {
+            let mut camera = before;
+            camera.fit_all_of(shapes.clone(), area);
+            camera
+        });
+        *self = if below.radius <= beside.radius {
+            below
+        } else {
+            beside
+        };
+    }
+
+    /// Whether a vertex of the shapes is in the covered corner of a picture.
+    fn reach_into_corner<'a>(
+        &self,
+        shapes: impl Iterator<Item = &'a EvaluatedShape>,
+        area: FitArea,
+    ) -> bool {
+        if area.corner == Vec2::ZERO {
+            return false;
+        }
+        let clip_from_world = self.clip_from_world(area.aspect);
+        let from = 1.0 - 2.0 * area.corner;
+        let mut is_in = false;
+        for shape in shapes {
+            for_each_point(shape, |point| {
+                let clip = clip_from_world * point.extend(1.0);
+                is_in |= clip.x > from.x * clip.w && clip.y > from.y * clip.w;
+            });
+        }
+        is_in
+    }
+
+    /// Fits shapes into the free part of a picture, whether its corner is covered or not.
+    fn fit_all_of<'a>(
         &mut self,
         shapes: impl Iterator<Item = &'a EvaluatedShape> + Clone,
         area: FitArea,
@@ -295,7 +360,11 @@ mod tests {
         let bounds = Aabb::from_points([Vec3::new(-1.0, 0.0, -0.5), Vec3::new(1.0, 3.0, 0.5)]);
         for free in [Vec2::new(1.0, 0.8), Vec2::new(0.3, 1.0)] {
             let mut camera = Camera::default();
-            camera.fit(&bounds, FitArea { aspect: 1.5, free });
+            let area = FitArea {
+                free,
+                ..FitArea::whole(1.5)
+            };
+            camera.fit(&bounds, area);
             for corner in camera.clip_corners(&bounds, 1.5) {
                 let ndc = corner.truncate().truncate() / corner.w;
                 assert!(ndc.abs().cmple(free).all(), "{free}: {ndc}");

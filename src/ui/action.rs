@@ -98,13 +98,18 @@ pub enum Ask {
     /// Add the shapes on the clipboard, or apply the pose on it to the selected character.
     Paste,
     /// Copy the pose of a character to the clipboard.
-    CopyPose(ShapeId),
+    CopyPose {
+        /// Identifier of the character.
+        shape: ShapeId,
+        /// Indices of the joints that alone are meant; all are if there are none.
+        joints: Vec<usize>,
+    },
     /// Apply the pose on the clipboard to a character.
     PastePose(ShapeId),
     /// Apply the pose on the clipboard to a character, with left and right exchanged.
     PastePoseMirrored(ShapeId),
-    /// Apply what the pose on the clipboard has for these joints of a character; mirrored, for those of them that were
-    /// selected when it was copied, to the ones on the other side. All others stay.
+    /// Apply what the pose on the clipboard has for these joints of a character, or for those that alone were meant when it
+    /// was copied. All others stay.
     PastePoseOnto {
         /// Identifier of the character.
         shape: ShapeId,

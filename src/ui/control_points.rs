@@ -177,6 +177,36 @@ impl Follow for ControlPointDrag {
     }
 }
 
+/// A control point that was clicked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Clicked {
+    shape: ShapeId,
+    curve: usize,
+    point: usize,
+    /// Control points that each curve of the shape had then. With others the indices may mean another point.
+    counts: Vec<usize>,
+}
+
+impl Clicked {
+    /// A control point of a shape, if it exists.
+    fn of(session: &Session, shape: ShapeId, curve: usize, point: usize) -> Option<Self> {
+        let curves = session.scene().curve(shape)?.curves();
+        let items = 0..curves.items().len();
+        let count = |index| {
+            curves
+                .curve(index)
+                .map_or(0, |it| it.control_points().len())
+        };
+        let counts: Vec<usize> = items.map(count).collect();
+        (point < *counts.get(curve)?).then_some(Self {
+            shape,
+            curve,
+            point,
+            counts,
+        })
+    }
+}
+
 /// Drags control points of the selected curves in the view, and marks the one under the pointer.
 pub(super) fn pointer(
     view: &Response,
@@ -192,7 +222,7 @@ pub(super) fn pointer(
     }
     if let Some(gesture) = &mut state.gesture {
         let (curve, point) = gesture.held().control_point();
-        state.clicked = Some((gesture.held().shape(), curve, point));
+        state.clicked = Clicked::of(session, gesture.held().shape(), curve, point);
         let goes_on = gesture.follow(view, places, session, actions);
         let point = gesture.active().map(ControlPointDrag::control_point);
         if !goes_on {
@@ -208,7 +238,8 @@ pub(super) fn pointer(
         return PointerUse::Free;
     };
     if view.clicked() {
-        state.clicked = session.selected().map(|shape| (shape, curve, point));
+        let shape = session.selected();
+        state.clicked = shape.and_then(|shape| Clicked::of(session, shape, curve, point));
     }
     view.ctx.set_cursor_icon(CursorIcon::Grab);
     PointerUse::Over
@@ -282,17 +313,26 @@ fn why_it_stays_in_words(curve: &Curve, point: usize) -> &'static str {
 
 /// The control point that was clicked last, if the shape is still the only one selected.
 pub(super) fn clicked(session: &Session, state: &CurveState) -> Option<(ShapeId, usize, usize)> {
-    let (shape, curve, point) = state.clicked?;
+    let clicked = state.clicked.as_ref()?;
+    let &Clicked {
+        shape,
+        curve,
+        point,
+        ..
+    } = clicked;
     let is_only = session.selected() == Some(shape) && session.selected_shapes().count() == 1;
-    let points = session.scene().curve(shape)?.curves().curve(curve)?;
-    (is_only && point < points.control_points().len()).then_some((shape, curve, point))
+    let is_there = Clicked::of(session, shape, curve, point).as_ref() == Some(clicked);
+    (is_only && is_there).then_some((shape, curve, point))
 }
 
 /// Forgets the control point that was clicked last once something else is selected or edited:
 /// Delete is about that then.
 pub(super) fn forget_clicked(state: &mut CurveState, actions: &[Action]) {
     let is_other = |action: &Action| match action {
-        Action::Edit(edit) => !matches!(edit, Edit::SetControlPoint { .. }),
+        Action::Edit(edit) => !matches!(
+            edit,
+            Edit::SetControlPoint { .. } | Edit::RemoveControlPoint { .. }
+        ),
         Action::View(view) => matches!(
             view,
             View::Select(_)
@@ -301,8 +341,8 @@ pub(super) fn forget_clicked(state: &mut CurveState, actions: &[Action]) {
                 | View::SelectAll
                 | View::SelectInBox(..)
         ),
-        Action::History(_) => true,
-        Action::Gesture(_) | Action::Ask(_) => false,
+        // Undoing brings back the same points; a shape with others is seen to have them.
+        Action::History(_) | Action::Gesture(_) | Action::Ask(_) => false,
     };
     if actions.iter().any(is_other) {
         state.clicked = None;

@@ -1,7 +1,7 @@
 //! A curve in the shape panel: how it is drawn, and the list of its curves and surfaces.
 
 use super::commands::{REVOLUTION_STEPS, curves};
-use super::control_points::Listed;
+use super::control_points::{Clicked, Listed};
 use super::grab::Grab;
 use super::number_field::NumberField;
 use super::theme::Palette;
@@ -24,9 +24,8 @@ pub(super) struct CurveState {
     pub unfolded: HashMap<(ShapeId, usize), bool>,
     /// Curve and control point whose row was under the pointer in the last frame.
     pub hovered: Option<(usize, usize)>,
-    /// The control point that was clicked or dragged last, if nothing else was since then: its
-    /// shape, curve and index.
-    pub clicked: Option<(ShapeId, usize, usize)>,
+    /// The control point that was clicked or dragged last, if nothing else was since then.
+    pub clicked: Option<Clicked>,
     /// The control point that is being dragged.
     pub gesture: Option<Grab<ControlPointDrag>>,
 }

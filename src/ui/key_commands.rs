@@ -152,6 +152,23 @@ pub(super) fn tab_over_the_view(
 /// Seconds for which an axis and a number that follow a refused G, R or S are taken for its own.
 const TYPED_AFTER: f64 = 3.0;
 
+/// Whether what is typed `now` is taken for a G, R or S that was refused, and so is what follows it.
+pub(super) fn ignores_typed(ctx: &egui::Context, state: &mut UiState, now: f64) -> bool {
+    let is_ignored = is_ignored(state.refused_at, now);
+    let is_typed = |event: &egui::Event| {
+        use egui::Event::Key;
+        matches!(event, Key { key, pressed: true, modifiers, .. } if modifiers.is_none() && Typed::is_typed(*key))
+    };
+    if is_ignored && ctx.input(|input| input.events.iter().any(is_typed)) {
+        state.refused_at = Some(now);
+    }
+    is_ignored
+}
+
+fn is_ignored(refused_at: Option<f64>, now: f64) -> bool {
+    refused_at.is_some_and(|at| now - at < TYPED_AFTER)
+}
+
 /// Runs the command of a key. Esc closes the window opened last, or else gives up the work whose progress
 /// is shown, ends a comparison with a picture,
 /// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
@@ -218,8 +235,7 @@ pub(super) fn press(
     if !is_there(command, input) {
         return;
     }
-    if let Some(at) = state.refused_at.take()
-        && pressed.at - at < TYPED_AFTER
+    if is_ignored(state.refused_at.take(), pressed.at)
         && pressed.is_plain
         && Typed::is_typed(pressed.key)
     {

@@ -4,7 +4,7 @@ use super::widgets::named;
 use super::{Action, axis_ball};
 use crate::editor::View;
 use crate::scene::Look;
-use egui::{Button, Frame, Margin, Rect, RichText, Sense, Ui, UiBuilder, pos2, vec2};
+use egui::{Button, Frame, Margin, Pos2, Rect, RichText, Sense, Ui, UiBuilder, pos2, vec2};
 
 /// The looks, with their words in the switch and their names.
 const LOOKS: [(Look, &str, &str); 3] = [
@@ -17,22 +17,29 @@ const SIZE: egui::Vec2 = vec2(184.0, 24.0);
 /// Views smaller than this, in points, have no switch, which would lie over their figures.
 const ROOM: egui::Vec2 = vec2(320.0, 380.0);
 
-/// Its lower end, if there is room for it.
-pub(super) fn bottom(view: Rect) -> Option<f32> {
+/// What it takes up together with the axis ball above it, to the upper right corner of the `view`, if there is room for it.
+pub(super) fn corner(view: Rect) -> Option<Rect> {
     let has_room = view.size().min(ROOM) == ROOM;
-    has_room.then(|| axis_ball::bottom(view) + 4.0 + SIZE.y)
+    has_room.then(|| {
+        let left_bottom = left_top(view) + vec2(0.0, SIZE.y);
+        Rect::from_two_pos(left_bottom, view.right_top())
+    })
+}
+
+fn left_top(view: Rect) -> Pos2 {
+    pos2(view.right() - SIZE.x - 8.0, axis_ball::bottom(view) + 4.0)
 }
 
 /// The switch between the looks, below the axis ball.
 pub(super) fn show(ui: &mut Ui, view: Rect, look: Look, actions: &mut Vec<Action>) {
-    if bottom(view).is_none() {
+    if corner(view).is_none() {
         return;
     }
-    let corner = pos2(view.right() - SIZE.x - 8.0, axis_ball::bottom(view) + 4.0);
+    let place = Rect::from_min_size(left_top(view), SIZE);
     // Clicks between the buttons must not reach the scene behind them.
     let builder = UiBuilder::new()
         .id_salt("looks")
-        .max_rect(Rect::from_min_size(corner, SIZE))
+        .max_rect(place)
         .sense(Sense::click_and_drag());
     let mut inner = ui.new_child(builder);
     let frame = Frame::new()

@@ -292,9 +292,13 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     // Last, so that a list or a field with the keyboard focus comes first, even if it only just got
     // the focus.
     if !keys_taken && !input.is_viewer && !takes_keys(&ctx) {
-        let camera = state.navigation.walked(session.view().camera, &ctx);
-        if camera != session.view().camera {
-            actions.push(Action::View(View::SetCamera(camera)));
+        // What is typed for a drag that was refused turns no camera.
+        let is_ignored = key_commands::ignores_typed(&ctx, state, now);
+        if !is_ignored {
+            let camera = state.navigation.walked(session.view().camera, &ctx);
+            if camera != session.view().camera {
+                actions.push(Action::View(View::SetCamera(camera)));
+            }
         }
         for (command, key) in commands::pressed(&ctx, state.navigation) {
             let key = KeyPress {
@@ -317,6 +321,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         let is_told = |why: &str| session.messages.fresh().iter().any(|told| told.text == why);
         if let Some(why) = state.navigation.why_nothing(&ctx, session.view().look)
             && !is_told(why)
+            && !is_ignored
         {
             actions.push(Action::View(View::Tell(why.into())));
         }

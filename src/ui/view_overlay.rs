@@ -163,17 +163,22 @@ fn viewer_reset(ui: &mut Ui, view: Rect) -> bool {
 }
 
 /// Picture that things are fitted into, `aspect` times as wide as high: what the tool bar leaves free
-/// of it, or where it is higher than wide what the switch of the looks does, and as much at the bottom, so that what is
-/// fitted is in the middle.
+/// of it, and as much at the bottom, so that what is fitted is in the middle, but for the corner with the switch of the
+/// looks. Of a picture that is higher than wide, it is what that leaves free.
 pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
     const LEAST: f32 = 0.5;
-    let below_switch = look_switch::bottom(state.view_rect).filter(|_| aspect < 1.0);
-    let top = below_switch.map_or(0.0, |bottom| bottom - state.view_rect.top());
-    let top = top.max(tool_rows(state) * BAR_HEIGHT);
-    let covered = 2.0 * top / state.view_rect.height().max(1.0);
+    let size = state.view_rect.size().max(Vec2::splat(1.0));
+    let corner = look_switch::corner(state.view_rect);
+    let corner = corner.map_or(Vec2::ZERO, |corner| corner.size());
+    let (below, corner) = match aspect < 1.0 {
+        true => (corner.y, Vec2::ZERO),
+        false => (0.0, corner / size),
+    };
+    let covered = 2.0 * below.max(tool_rows(state) * BAR_HEIGHT) / size.y;
     FitArea {
         aspect,
         free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),
+        corner: glam::Vec2::new(corner.x, corner.y),
     }
 }
 

@@ -414,6 +414,38 @@ fn angles_that_are_left_of_other_tests_are_named_with_these() {
 }
 
 #[test]
+fn what_is_kept_of_other_tests_is_named_in_whatever_order_a_program_has_made_them() {
+    let class = Class::new(&["robot", "robot", "robot"]);
+    let right = with(&[]);
+    let figure = |test: usize| &class.tests[test].1;
+    let name = |test: usize| class.tests[test].0.clone();
+    let orders = [("ann", [0, 1, 2]), ("bob", [2, 1, 0]), ("cid", [2, 0, 1])];
+    for (student, order) in orders {
+        class.submit(student, &right, |number| number.to_string());
+        let mut sums = vec![Vec3::ZERO; figure(0).degrees.len()];
+        for test in order {
+            for (sum, own) in sums.iter_mut().zip(&figure(test).degrees) {
+                *sum += *own;
+            }
+            let summed = Figure::builtin("robot", |joint| sums[joint]);
+            let text = obj(&right.skin(&summed), figure(test), |number| {
+                number.to_string()
+            });
+            class.write(&format!("class/{student}/{}.obj", name(test)), text);
+        }
+    }
+    let report = class.graded();
+    for (student, [first, second, third]) in orders {
+        let cause = |test: usize| result(&report, student, &name(test))["causes"].clone();
+        assert_eq!(result(&report, student, &name(first))["outcome"], "right");
+        assert_eq!(cause(second), json!([["angles-kept"]]), "{student}");
+        // An order by neither place nor name is that of no program.
+        let named = cause(third) == json!([["angles-kept"]]);
+        assert_eq!(named, student != "cid", "{student}");
+    }
+}
+
+#[test]
 fn what_is_kept_of_other_tests_is_named_beside_the_mistake_that_all_of_them_show() {
     let class = Class::new(&["robot", "robot", "robot"]);
     let shifted = with(&["weights-shifted"]);

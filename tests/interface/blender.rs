@@ -258,7 +258,7 @@ fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_m
 
 #[test]
 fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
-    let typed = [Key::X, Key::Num1, Key::Enter];
+    let typed = [Key::X, Key::Num1, Key::Num4, Key::Num5, Key::Enter];
     let mut editor = in_blender(Editor::new());
     editor.choose(&["Insert", "Cube"]);
     let id = editor.shape().id;
@@ -268,6 +268,8 @@ fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
     typed.into_iter().for_each(|key| editor.key(key));
     assert_eq!(editor.session().scene().shapes().len(), 1);
     assert_eq!(editor.session().view().camera, camera);
+    let told = editor.last_told().unwrap_or_default();
+    assert!(!told.contains("orthographic"), "{told}");
     // Any other key ends that.
     editor.key(Key::G);
     editor.key(Key::F);

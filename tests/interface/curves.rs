@@ -431,6 +431,29 @@ fn the_status_line_promises_delete_only_for_points_that_it_deletes() {
 }
 
 #[test]
+fn delete_is_about_the_point_that_was_dragged_also_after_the_drag_is_undone() {
+    let mut editor = with_curve("Bézier Curve");
+    editor.harness.state_mut().gestures = true;
+    editor.click("Add behind 1. curve point 4");
+    let count = points(&editor).len();
+    let at = place(&editor, 3);
+    editor.press(at);
+    editor.release(at + vec2(30.0, 10.0));
+    assert_ne!(place(&editor, 3), at);
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(place(&editor, 3), at);
+    editor.key(Key::Delete);
+    assert!(
+        points(&editor).len() < count,
+        "of the shape, which is there"
+    );
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(points(&editor).len(), count);
+    editor.key(Key::Delete);
+    assert!(points(&editor).len() < count, "the point again");
+}
+
+#[test]
 fn the_point_under_the_pointer_is_marked_and_named_in_the_view_and_in_the_panel() {
     let mut editor = with_curve("Bézier Curve");
     editor.harness.state_mut().gestures = true;

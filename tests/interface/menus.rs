@@ -524,7 +524,13 @@ fn copy_in_the_menu_is_named_for_what_its_key_copies_with_each_tool() {
     editor.key_with(Modifiers::COMMAND, Key::A);
     editor.click("Select Tool");
     copy(&mut editor, "Copy Shapes");
-    let (shapes, pose) = (Ask::CopyShapes, Ask::CopyPose(shape));
+    let (shapes, pose) = (
+        Ask::CopyShapes,
+        Ask::CopyPose {
+            shape,
+            joints: Vec::new(),
+        },
+    );
     let asked = [&shapes, &pose, &pose, &shapes, &shapes];
     let each_twice = asked.into_iter().flat_map(|ask| [ask.clone(), ask.clone()]);
     assert_eq!(editor.asked(), each_twice.collect::<Vec<_>>());

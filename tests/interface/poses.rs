@@ -127,15 +127,24 @@ fn copy_and_paste_ask_for_the_clipboard() {
     editor.harness.event(Event::Copy);
     editor.settle();
     let asked = [
-        Ask::CopyPose(id),
+        Ask::CopyPose {
+            shape: id,
+            joints: Vec::new(),
+        },
         Ask::PastePose(id),
         Ask::CopyShapes,
         Ask::Paste,
         Ask::PastePoseMirrored(id),
         Ask::PastePoseMirrored(id),
-        Ask::CopyPose(id),
+        Ask::CopyPose {
+            shape: id,
+            joints: Vec::new(),
+        },
         Ask::PastePose(id),
-        Ask::CopyPose(id),
+        Ask::CopyPose {
+            shape: id,
+            joints: Vec::new(),
+        },
     ];
     assert_eq!(editor.asked(), asked);
 }

@@ -494,6 +494,9 @@ fn a_character_that_is_imported_beside_a_picture_has_the_look_that_this_is_compa
         story.host.files.insert("theirs.png".into(), picture);
         story.key(Key::F8);
         story.choose("theirs.png");
+        judge(&mut story);
+        let empty = "B is empty: Insert ⏵ Import adds what is to be compared.";
+        assert!(has_text(&story, empty));
         story.host.drop_file("builtin:rigs/lizard");
         story.settle();
         assert!(story.has("Stop comparing") && story.names() == ["Lizard"]);

@@ -3,7 +3,7 @@
 use super::{Story, differing};
 use crate::collada::support::{Skin, arm};
 use crate::host::MemoryHost;
-use editor_core::editor::View;
+use editor_core::editor::{Edit, View};
 use editor_core::io::image::{self, PictureFormat};
 use egui::accesskit::{Action, ActionRequest, TreeId};
 use egui::{Event, Key, Pos2, vec2};
@@ -442,6 +442,35 @@ fn named(story: &Story, words: &str) -> Vec<(String, egui::accesskit::Rect)> {
         Some((text.to_owned(), node.bounds()?))
     });
     labels.filter(|(label, _)| label.contains(words)).collect()
+}
+
+#[test]
+fn of_several_characters_the_banner_of_a_mistake_names_the_one_that_is_shown_wrong_and_says_if_it_is_hidden()
+ {
+    let mut story = bent();
+    let strip = story.shape().id;
+    story.host.drop_file("builtin:adult");
+    story.settle();
+    let seen = |story: &mut Story, view| {
+        story.program.session_mut().look(view);
+        story.settle();
+    };
+    seen(&mut story, View::Select(Some(strip)));
+    make(&mut story, NO_INVERSE);
+    assert!(story.has_text("⚠ Strip is shown wrong on purpose"));
+    let adult = story.session().scene().shapes()[1].id;
+    let hides = Edit::SetVisible(adult, false);
+    story
+        .program
+        .session_mut()
+        .edit(hides)
+        .expect("it is there");
+    seen(&mut story, View::Select(Some(adult)));
+    assert!(story.has_text("⚠ Adult is shown wrong on purpose"));
+    let hidden = "It is hidden: the eye in the Shape Selector shows it.";
+    assert!(story.has_text(hidden));
+    seen(&mut story, View::Select(Some(strip)));
+    assert!(!story.has_text(hidden));
 }
 
 #[test]

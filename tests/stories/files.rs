@@ -244,7 +244,9 @@ fn a_character_is_exported_in_the_courses_format_with_its_pose_and_opens_again()
     }
     let told = story.messages().last().unwrap().1;
     assert!(
-        told.starts_with("Its pose is in mine.json: Pose ⏵ Load Pose…"),
+        told.starts_with(
+            "Its pose is in mine.json, for the character as mine.obj has it: with that open"
+        ),
         "{told}"
     );
     story.host.drop_file("out/mine.obj");

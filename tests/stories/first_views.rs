@@ -346,6 +346,11 @@ impl Story {
 
     /// The rectangle that a shape takes up in the view, in points from the view's corner.
     fn on_screen(&self, shape: &Shape) -> egui::Rect {
+        egui::Rect::from_points(&self.pixels(shape).collect::<Vec<_>>())
+    }
+
+    /// Where the vertices of a shape are in the view, in points from the view's corner.
+    fn pixels(&self, shape: &Shape) -> impl Iterator<Item = egui::Pos2> {
         let view = self.view();
         let size = Vec2::new(view.width(), view.height());
         let camera = self.session().view().camera;
@@ -354,12 +359,11 @@ impl Story {
             .evaluated()
             .shape(shape.id)
             .expect("it is evaluated");
-        let points = evaluated.geometry.positions().iter().map(|&position| {
+        evaluated.geometry.positions().iter().map(move |&position| {
             let world = evaluated.world_from_model.transform_point3(position);
             let pixel = camera.pixel(world, size).expect("before the eye");
             pos2(pixel.x, pixel.y)
-        });
-        egui::Rect::from_points(&points.collect::<Vec<_>>())
+        })
     }
 
     /// Checks that the selected shape is whole in the view, clear of the tool bar, and as large as
@@ -401,6 +405,23 @@ fn a_head_and_a_gem_a_curve_and_the_lizard_are_whole_too() {
         let story = start(&[&format!("builtin:{name}")]);
         assert_eq!(story.look(), Look::Studio, "{name}");
         story.assert_fills_the_view();
+    }
+}
+
+#[test]
+fn what_reaches_wide_is_fitted_clear_of_the_switch_of_the_looks() {
+    let mut story = start(&["builtin:robot"]);
+    let size = story.view().size();
+    for (file, key) in [("builtin:robot", Key::F), ("builtin:adult", Key::F)] {
+        story.import(file);
+        story.key_with(Modifiers::SHIFT, key);
+        let switch = story.place("Course look");
+        let corner = egui::Rect::from_two_pos(
+            switch - story.view().min.to_vec2() - vec2(20.0, 0.0),
+            pos2(size.x, 0.0),
+        );
+        let reaches = |shape: &Shape| story.pixels(shape).any(|pixel| corner.contains(pixel));
+        assert!(!story.session().scene().shapes().iter().any(reaches));
     }
 }
 

@@ -274,6 +274,7 @@ fn shapes_go_over_the_clipboard_from_window_to_window_with_pose_and_place() {
     story.frame(vec![Event::Cut]);
     story.settle();
     assert!(story.names().is_empty());
+    assert_eq!(story.messages().last().unwrap().1, "Cut Strip");
     let text = story.host.clipboard.clone();
     assert!(
         text.contains("\"editor-scene\"") && text.contains("strip.obj"),

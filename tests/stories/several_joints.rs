@@ -122,6 +122,41 @@ fn joints_that_are_added_in_the_view_turn_together_about_the_axis_that_is_typed(
 }
 
 #[test]
+fn a_bone_of_another_character_that_is_added_by_a_click_is_the_only_one_which_is_told() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.host.drop_file("builtin:robot");
+    story.settle();
+    story.key(Key::J);
+    let [adult, robot] = [0, 1].map(|index| story.session().scene().shapes()[index].id);
+    let of_adult = vec![View::Select(Some(adult)), View::SelectJoints(vec![3])];
+    for view in of_adult {
+        story.program.session_mut().look(view);
+    }
+    story.settle();
+    let of_robot = story.session().evaluated().shape(robot).unwrap();
+    let head = of_robot.world_from_model.transform_point3(
+        story
+            .session()
+            .scene()
+            .character(robot)
+            .unwrap()
+            .character
+            .skeleton()
+            .bind_positions()[2],
+    );
+    let at = story.at(head);
+    story.add_by_click(at);
+    assert_eq!(story.session().selected(), Some(robot));
+    assert_eq!(story.session().selected_joints().len(), 1);
+    let (_, told) = *story.messages().last().expect("it says why");
+    assert!(
+        told.starts_with("Joints of one character at a time"),
+        "{told}"
+    );
+}
+
+#[test]
 fn of_a_selected_chain_the_topmost_joint_alone_turns_as_in_blender() {
     let mut story = Story::start(&["builtin:adult"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);
@@ -419,10 +454,71 @@ fn a_pose_that_is_pasted_mirrored_onto_a_selected_joint_leaves_that_and_all_othe
     assert!((story.degrees("Neck").y - 20.0).abs() < 1e-3);
     assert_eq!(story.session().steps().len(), steps + 1);
     let (_, told) = *story.messages().last().unwrap();
+    assert_eq!(told, "Pasted onto Right elbow alone, as copied");
+}
+
+#[test]
+fn of_selected_bones_these_alone_are_copied_and_pasted_in_the_blender_navigation() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.host.drop_file("builtin:adult");
+    story.settle();
+    let shapes: Vec<_> = story.session().scene().shapes().to_vec();
+    let [first, second] = [shapes[0].id, shapes[1].id];
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let [left, right] = ["Left elbow", "Right elbow"].map(|joint| story.joint(joint));
+    let turn = |story: &mut Story, shape, joint, z: f32| {
+        let rotation = Euler::from_degrees(Vec3::Z * z);
+        let edit = Edit::SetJointTransform {
+            shape,
+            joint,
+            rotation,
+        };
+        story.program.session_mut().edit(edit).expect("an angle");
+    };
+    let select = |story: &mut Story, shape, joints: Vec<usize>| {
+        let session = story.program.session_mut();
+        session.look(View::Select(Some(shape)));
+        session.look(View::SelectJoints(joints));
+        story.settle();
+    };
+    let paste = |story: &mut Story| {
+        let text = story.host.clipboard.clone();
+        story.frame(vec![Event::ModifiersChanged(Modifiers::COMMAND)]);
+        story.frame(vec![Event::Paste(text)]);
+        story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+        story.settle();
+    };
+    let elbows =
+        |story: &Story| ["Left elbow", "Right elbow"].map(|it| story.degrees(it).z.round());
+    turn(&mut story, first, left, 50.0);
+    select(&mut story, first, vec![left]);
+    story.frame(vec![Event::Copy]);
+    story.settle();
+    let told = story.messages().last().unwrap().1.to_owned();
     assert_eq!(
         told,
-        "Pasted onto Right elbow alone; with no joint selected, onto all"
+        "Copied the pose of Left elbow alone; with no joint selected, of all"
     );
+    // What has been done to other joints since stays, whatever is selected.
+    turn(&mut story, first, right, 20.0);
+    turn(&mut story, first, left, 5.0);
+    for selected in [vec![], vec![right]] {
+        select(&mut story, first, selected);
+        paste(&mut story);
+        assert_eq!(elbows(&story), [50.0, 20.0]);
+    }
+    // Another character gets it at the joint of the same name.
+    turn(&mut story, second, right, 30.0);
+    select(&mut story, second, vec![]);
+    paste(&mut story);
+    assert_eq!(elbows(&story), [50.0, 30.0]);
+    // With no joint selected when it is copied, all of it is.
+    select(&mut story, first, vec![]);
+    story.frame(vec![Event::Copy]);
+    select(&mut story, second, vec![]);
+    paste(&mut story);
+    assert_eq!(elbows(&story), [50.0, 20.0]);
 }
 
 #[test]

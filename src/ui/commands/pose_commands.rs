@@ -59,7 +59,6 @@ pub(super) fn pose_action(command: Command, session: &Session) -> Option<Action>
             shape,
             name: character.free_pose_name(),
         },
-        Command::CopyPose => return Some(Action::Ask(Ask::CopyPose(shape))),
         Command::PastePose => return Some(Action::Ask(Ask::PastePose(shape))),
         Command::PastePoseMirrored => return Some(Action::Ask(Ask::PastePoseMirrored(shape))),
         Command::SavePose => return Some(Action::Ask(Ask::SavePose(shape, None))),
@@ -92,26 +91,36 @@ pub(super) fn mirror_joints(session: &Session) -> Result<Edit, &'static str> {
     Ok(Edit::SetPose(shape, posed))
 }
 
-/// Pastes a pose onto the selected joints alone, as in Blender, where its navigation is chosen and bones are posed, but
-/// for all joints.
-pub(super) fn pasted_onto(command: Command, session: &Session, state: &UiState) -> Option<Action> {
-    let shape = posed_character(session, state)?;
+/// The selected joints, where commands about the pose are about them alone: some are, and bones are posed in Blender's
+/// navigation.
+fn joints_alone(session: &Session, state: &UiState) -> Option<Vec<usize>> {
+    posed_character(session, state)?;
     let (_, character) = selected_character(session)?;
     let joints = session.selected_joints();
     let all = character.character.skeleton().joints();
     let are_some = !joints.is_empty() && joints.len() < all.len();
+    let is_meant = are_some && state.navigation == Navigation::Blender;
+    is_meant.then(|| joints.to_vec())
+}
+
+/// Copies the pose of a character, as in Blender of the selected joints alone.
+pub(super) fn copied_pose(shape: ShapeId, session: &Session, state: &UiState) -> Ask {
+    let joints = joints_alone(session, state).unwrap_or_default();
+    Ask::CopyPose { shape, joints }
+}
+
+/// Pastes a pose onto the selected joints alone, as in Blender.
+pub(super) fn pasted_onto(command: Command, session: &Session, state: &UiState) -> Option<Action> {
     let is_pasted = matches!(
         command,
         Command::Paste | Command::PastePose | Command::PastePoseMirrored
     );
-    let is_meant = is_pasted && are_some && state.navigation == Navigation::Blender;
-    is_meant.then(|| {
-        Action::Ask(Ask::PastePoseOnto {
-            shape,
-            joints: joints.to_vec(),
-            mirrored: command == Command::PastePoseMirrored,
-        })
-    })
+    let joints = joints_alone(session, state).filter(|_| is_pasted)?;
+    Some(Action::Ask(Ask::PastePoseOnto {
+        shape: posed_character(session, state)?,
+        joints,
+        mirrored: command == Command::PastePoseMirrored,
+    }))
 }
 
 /// The camera that has the bones of the selected joints in its `area`, as in Blender while its navigation is chosen and

@@ -2,7 +2,9 @@
 
 use super::enabled::why_disabled;
 use super::hiding::{hide_others, others, show_all, toggle};
-use super::pose_commands::{fitted_to_joints, pasted_onto, pose_action, posed_character};
+use super::pose_commands::{
+    copied_pose, fitted_to_joints, pasted_onto, pose_action, posed_character,
+};
 use super::put_back::put_back;
 use super::sweep::sweep;
 use super::table::label;
@@ -111,13 +113,16 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         | Command::ResetPose
         | Command::MirrorPose
         | Command::MirrorJoints
-        | Command::CopyPose
         | Command::PastePose
         | Command::PastePoseMirrored
         | Command::KeepPose
         | Command::SavePose
         | Command::LoadPose => {
             return pasted_onto(command, session, state).or_else(|| pose_action(command, session));
+        }
+        Command::CopyPose => {
+            let (shape, _) = selected_character(session)?;
+            return Some(Action::Ask(copied_pose(shape, session, state)));
         }
         Command::PinJoint => {
             state.pose.tool = Tool::Ik;
@@ -201,7 +206,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
         Command::Copy => {
             let posed = posed_character(session, state);
-            return Some(Action::Ask(posed.map_or(Ask::CopyShapes, Ask::CopyPose)));
+            let pose = posed.map(|shape| copied_pose(shape, session, state));
+            return Some(Action::Ask(pose.unwrap_or(Ask::CopyShapes)));
         }
         Command::Paste => {
             let onto = pasted_onto(command, session, state);

@@ -287,6 +287,14 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
         if counts.max == 0 {
             return say(ui, "A and B are equal, pixel by pixel.", palette.strong);
         }
+        let shapes = session.scene().shapes();
+        if !shapes.iter().any(|shape| shape.visible) {
+            let text = match shapes.is_empty() {
+                true => "B is empty: Insert ⏵ Import adds what is to be compared.",
+                false => "B is empty: all shapes are hidden.",
+            };
+            return say(ui, text, palette.strong);
+        }
         if counts.differing_pixels == 0 {
             say(
                 ui,

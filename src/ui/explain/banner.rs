@@ -4,7 +4,7 @@ use super::Explained;
 use super::shown::Mistaken;
 use crate::diagnose::ToldFor;
 use crate::editor::Session;
-use crate::scene::Shape;
+use crate::scene::{Shape, ShapeKind};
 use crate::ui::aspect;
 use crate::ui::theme::Palette;
 use egui::{
@@ -59,7 +59,15 @@ pub(super) fn show(
     let program = ToldFor::of_file(shape.and_then(Shape::source_file));
     let shown = frame.show(&mut inner, |ui| {
         ui.set_width(width - 16.0);
-        let title = ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
+        let name = shape.map_or("", |shape| &shape.name);
+        let shapes = session.scene().shapes().iter();
+        let is_character = |shape: &&Shape| matches!(shape.kind, ShapeKind::Character(_));
+        let title = match shapes.filter(is_character).count() {
+            0 | 1 => "⚠ Shown wrong on purpose".to_owned(),
+            _ => format!("⚠ {name} is shown wrong on purpose"),
+        };
+        let title = Label::new(RichText::new(title).color(palette.warning)).wrap();
+        let title = ui.add(title);
         let sentence = mistaken.made.sentence(program);
         if is_small {
             title.on_hover_text(sentence);
@@ -97,7 +105,9 @@ fn where_seen(
 
 /// Why nothing can be seen of the mistake, if so.
 fn why_right(explained: &Explained, mistaken: &Mistaken) -> Option<&'static str> {
-    if mistaken.is_seen {
+    if !explained.evaluated.visible {
+        Some("It is hidden: the eye in the Shape Selector shows it.")
+    } else if mistaken.is_seen {
         None
     } else if explained.shape.pose().is_bind() {
         Some("At rest it makes no difference: turn some joints.")

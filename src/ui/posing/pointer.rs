@@ -129,10 +129,15 @@ pub(in crate::ui) fn pointer(
         Under::Handle(Some((hit, place))) | Under::Bone(hit, place) if view.clicked() => {
             let joint = target_joint(session, state.tool, &hit, place);
             let adds = |input: &InputState| input.modifiers.shift || input.modifiers.command;
-            let adds = view.ctx.input(adds) && session.selected() == Some(hit.shape);
+            let adds = view.ctx.input(adds);
+            let is_of_other = session.selected() != Some(hit.shape);
+            if adds && is_of_other && !session.selected_joints().is_empty() {
+                let why = "Joints of one character at a time are selected: those of the other one no longer are";
+                actions.push(Action::View(View::Tell(why.into())));
+            }
             state.taken = Some(hit);
             state.without_gizmo = None;
-            if adds {
+            if adds && !is_of_other {
                 actions.push(Action::View(View::ToggleJoint(joint)));
             } else {
                 select_alone(session, hit.shape, Some(joint), actions);

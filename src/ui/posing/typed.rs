@@ -6,8 +6,9 @@ use egui::{Context, Event, FocusDirection, Key};
 
 /// Most characters of a number: more are not exact anyway.
 const LONGEST: usize = 12;
-/// Characters between two numbers. A minus turns the sign of all, as in Blender.
-const OPERATORS: [char; 3] = ['+', '*', '/'];
+/// Characters between two numbers. After another one, or `=` at the beginning, a minus subtracts; else it turns the sign of
+/// the number, as in Blender.
+const OPERATORS: [char; 4] = ['+', '-', '*', '/'];
 /// Keys that numbers are typed with.
 const NUMBER: [Key; 16] = [
     Key::Num0,
@@ -32,6 +33,8 @@ const NUMBER: [Key; 16] = [
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::ui) struct Typed {
     text: String,
+    /// Whether `=` was typed first, so that a minus subtracts.
+    is_sum: bool,
     /// Axes along which alone things are moved or scaled, or the axis about which they are turned.
     constraint: Option<Constraint>,
     /// Whether its key was pressed again: then it is one of the other kind of axes.
@@ -91,7 +94,7 @@ impl Typed {
             Key::Tab => self.is_ended = true,
             Key::Backspace if self.is_ended => self.is_ended = false,
             Key::Backspace => {
-                if self.text.pop().is_none() {
+                if self.text.pop().is_none() && !std::mem::take(&mut self.is_sum) {
                     self.constraint = None;
                 }
             }
@@ -107,7 +110,11 @@ impl Typed {
             return;
         }
         let ends_in_digit = self.text.ends_with(|last: char| last.is_ascii_digit());
+        let is_sum = self.is_sum || self.text.contains(['+', '*', '/']);
         match typed {
+            '=' => self.is_sum = true,
+            '-' | '−' if is_sum && self.text.ends_with('-') => {}
+            '-' | '−' if is_sum => self.text.push('-'),
             '-' | '−' => {
                 self.text = match self.text.strip_prefix('-') {
                     Some(positive) => positive.to_owned(),
@@ -152,7 +159,9 @@ impl Typed {
     /// What was typed for the number, with a mark where typing goes on; `None` if there is nothing.
     pub(super) fn shown(&self) -> Option<String> {
         let mark = if self.is_ended { "" } else { "|" };
-        (!self.text.is_empty()).then(|| format!("{}{mark}", self.text.replace('-', "−")))
+        let equals = if self.is_sum { "=" } else { "" };
+        let text = format!("{equals}{}", self.text.replace('-', "−"));
+        (!text.is_empty()).then(|| format!("{text}{mark}"))
     }
 
     /// Why nothing more is taken for the number, if so.
@@ -218,6 +227,13 @@ mod tests {
             ("3+2", Some(5.0)),
             ("1.5*1.5*", Some(2.25)),
             ("1 m", Some(1.0)),
+            ("90-45", Some(-9045.0)),
+            ("=90-45", Some(45.0)),
+            ("=90-", Some(90.0)),
+            ("=-90--45", Some(-135.0)),
+            ("2*3-1", Some(5.0)),
+            ("2*-3.5", Some(-7.0)),
+            ("=<2-", Some(-2.0)),
         ] {
             let mut typed = Typed::default();
             for character in text.chars() {
