@@ -447,6 +447,9 @@ fn delete_is_about_the_point_that_was_dragged_also_after_the_drag_is_undone() {
         points(&editor).len() < count,
         "of the shape, which is there"
     );
+    editor.click("Edit");
+    assert!(!editor.has("Delete Point"), "it is gone");
+    editor.key(Key::Escape);
     editor.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(points(&editor).len(), count);
     editor.key(Key::Delete);
