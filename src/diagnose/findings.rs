@@ -201,4 +201,11 @@ impl Findings<'_> {
         let findings = compared.findings.iter().filter(of_all);
         findings.cloned().map(OfTheWhole).collect()
     }
+
+    /// Whether the whole mesh is the exact one with other axes, within `limits`.
+    pub(super) fn has_other_axes(&self, theirs: &[Vec3], limits: Limits) -> bool {
+        let found = self.of_the_whole(theirs, limits);
+        let is_of_axes = |found: &OfTheWhole| matches!(found.0, MeshFinding::Axes { .. });
+        found.iter().any(is_of_axes)
+    }
 }

@@ -124,16 +124,23 @@ pub enum Offsets {
     ButOfRoots,
     /// Those that the pose neither turns nor moves.
     OfUnposed,
+    /// Every joint, twice.
+    Twice,
+    /// Every joint, twice where the pose turns or moves it.
+    TwiceOfPosed,
 }
 
 impl Offsets {
-    pub(super) fn counts(self, is_root: bool, is_posed: bool) -> bool {
+    /// How many times that of a joint counts.
+    pub(super) fn times(self, is_root: bool, is_posed: bool) -> f64 {
         match self {
-            Self::All => true,
-            Self::None => false,
-            Self::OfRoots => is_root,
-            Self::ButOfRoots => !is_root,
-            Self::OfUnposed => !is_posed,
+            Self::All => 1.0,
+            Self::None => 0.0,
+            Self::OfRoots => f64::from(is_root),
+            Self::ButOfRoots => f64::from(!is_root),
+            Self::OfUnposed => f64::from(!is_posed),
+            Self::Twice => 2.0,
+            Self::TwiceOfPosed => 1.0 + f64::from(is_posed),
         }
     }
 }

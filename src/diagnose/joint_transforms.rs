@@ -76,8 +76,8 @@ impl<'a> Joints<'a> {
             of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
         };
         let at_rest = |joint: usize| {
-            let has_offset = own.bind_offsets.counts(is_root(joint), false);
-            let translation = bind_tree.offsets[joint] * f64::from(has_offset);
+            let times = own.bind_offsets.times(is_root(joint), false);
+            let translation = bind_tree.offsets[joint] * times;
             pushed(
                 twice_in_bind,
                 joint,
@@ -118,8 +118,9 @@ impl<'a> Joints<'a> {
                 }
             }
             let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
-            if own.offsets.counts(is_root(joint), is_posed) {
-                translation = offset(joint) + moved;
+            let times = own.offsets.times(is_root(joint), is_posed);
+            if times > 0.0 {
+                translation = offset(joint) * times + moved;
             }
             let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
             let transform = parent_from_joint(translation, rotation, rotates_first);

@@ -226,6 +226,16 @@ async fn diagnose_vertices(
     let rounding = of_numbers.max(AS_GOOD_AS_NONE * size);
     let fits = search.within(rounding.max(error / MUCH_NEARER));
     let (alone, mut explanations) = sought(&search, &fits, &findings, rounding, pace).await;
+    let limits = placed::Limits {
+        tolerance,
+        rounding: of_numbers,
+        most: MOST_TOLERANCE * size,
+    };
+    // That the right mesh has other axes is simpler than two mistakes that come to the same.
+    let are_two = explanations.iter().any(|it| it.made.len() > 1);
+    if are_two && findings.has_other_axes(theirs, limits) {
+        explanations.clear();
+    }
     let mut coarse = None;
     if explanations.is_empty() {
         coarse = Coarse::find(&exact, theirs, half_step, size);
@@ -245,11 +255,6 @@ async fn diagnose_vertices(
         pace.after(exact.len()).await;
         found.regions = findings.regions();
         if !written.has_outliers {
-            let limits = placed::Limits {
-                tolerance,
-                rounding: of_numbers,
-                most: MOST_TOLERANCE * size,
-            };
             found.findings = findings.of_the_whole(theirs, limits);
             if found.findings.is_empty() {
                 let placed = placed::find(&search, limits, pace).await;

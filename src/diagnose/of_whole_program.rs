@@ -161,6 +161,25 @@ static TRANSLATION_OVERWRITTEN: Mistake = Mistake {
     })],
 };
 
+/// Another one in that, as of `transform = transform * T * R`.
+static OFFSET_REPEATED: Mistake = Mistake {
+    id: "offset-repeated",
+    meaning: "the offset of a joint from its parent is multiplied on twice",
+    section: SLIDERS,
+    look_at: "setJointTransform: it sets the rotation beside the offset that the joint has, instead of multiplying both onto \
+              what is there",
+    readings: &[
+        reading("in T, of joints that the pose turns", |formula| {
+            formula.joint.offsets = Offsets::TwiceOfPosed;
+        }),
+        reading("in T", |formula| formula.joint.offsets = Offsets::Twice),
+        reading("in T and in B", |formula| {
+            formula.joint.offsets = Offsets::Twice;
+            formula.joint.bind_offsets = Offsets::Twice;
+        }),
+    ],
+};
+
 /// A mistake at roots alone, which moves the mesh as a whole.
 static ROOT_TRANSLATION_MISSING: Mistake = Mistake {
     id: "root-translation-missing",
@@ -313,7 +332,7 @@ static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 32] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 33] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -324,6 +343,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 32] = [
     &JOINTS_NOT_REACHED,
     &PARENTS_MISREAD,
     &TRANSLATION_OVERWRITTEN,
+    &OFFSET_REPEATED,
     &ROOT_TRANSLATION_MISSING,
     &ROOT_TRANSFORM_MISSING,
     &ROOT_TRANSFORM_REPEATED,

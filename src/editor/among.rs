@@ -183,7 +183,8 @@ pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
         let middle = bounds.center().with_y(other.bounds.center().y);
         other.bounds.contains(middle)
     };
-    let down = ground_of_characters(session).map_or(0.0, |ground| ground - own);
+    let ground = ground_of_characters(session).unwrap_or(lowest);
+    let down = ground - own;
     if down.is_finite() && -down > off_the_ground && !others.iter().any(is_below) {
         let down = Vec3::Y * down;
         move_all(

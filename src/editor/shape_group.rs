@@ -55,6 +55,11 @@ impl ShapeGroup {
         self.active
     }
 
+    /// Whether all that is scaled stays on the ground that the active shape stands on, so that its position changes.
+    pub fn stays_on_ground(&self) -> bool {
+        self.floor != self.pivot.y
+    }
+
     /// Middle of the pivots of all, in the world: they turn and grow about it. Exactly the pivot of one alone.
     pub fn pivot(&self) -> Vec3 {
         self.pivot

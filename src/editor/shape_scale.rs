@@ -92,6 +92,11 @@ impl ShapeScale {
         self.factor
     }
 
+    /// See [`ShapeGroup::stays_on_ground`].
+    pub fn stays_on_ground(&self) -> bool {
+        self.group.stays_on_ground()
+    }
+
     /// The axes that alone are scaled; `None` for all.
     pub fn constraint(&self) -> Option<Constraint> {
         self.constraint

@@ -12,6 +12,10 @@ const INSIDE: f32 = 0.1;
 /// large that is: a lizard whose tail looks out behind a man does, a rider on a horse does not.
 const MOSTLY_INSIDE: f32 = 0.5;
 
+/// Least volume of what a figure does not stand in, relative to its own, though it is no figure: a lamp or a sword in a hand
+/// has less.
+const LARGE: f32 = 0.05;
+
 /// What stands somewhere already.
 pub(super) struct Stander {
     pub(super) bounds: Aabb,
@@ -42,7 +46,10 @@ fn stands_in(figure: &Aabb, other: &Stander) -> bool {
     let common = a.max.min(b.max) - a.min.max(b.min);
     let larger = volume(a.size()).max(volume(b.size()));
     let is_within = || common.cmpge(MOSTLY_INSIDE * a.size().min(b.size())).all();
-    volume(common) > INSIDE * larger || other.is_solid && is_within()
+    // A room goes beyond the figure on all sides.
+    let is_around = || b.min.cmple(a.min).all() && b.max.cmpge(a.max).all();
+    let is_large = || volume(b.size()) >= LARGE * volume(a.size()) && !is_around();
+    volume(common) > INSIDE * larger || (other.is_solid || is_large()) && is_within()
 }
 
 /// The bounds of a curve, as deep as it is wide: what is made of it takes up as much, and a flat one would stand in
@@ -126,5 +133,8 @@ mod tests {
         let lamp = boxed([0.3, 1.0, 0.2], [0.4, 1.2, 0.3]);
         let floor = boxed([-5.0, 0.0, -5.0], [5.0, 0.0, 5.0]);
         assert_eq!(way_out(&own, &[room, lamp, floor]), Vec3::ZERO);
+        let vase = boxed([-0.2, 0.0, -0.2], [0.2, 0.9, 0.2]);
+        let way = way_out(&own, &[room, lamp, floor, vase]);
+        assert!((way.x - 0.8).abs() < 1e-5, "{way}");
     }
 }

@@ -274,7 +274,7 @@ impl Program {
                         return self.tell(Severity::Warning, text);
                     }
                     Some(joints) => {
-                        let told = pasted_onto(skeleton, &joints, pasted.as_copied);
+                        let told = pasted_onto(skeleton, &joints, pasted);
                         Some((Severity::Info, told))
                     }
                     None if missing.is_empty() => None,
@@ -362,14 +362,18 @@ pub(super) fn file_stem(name: &str) -> String {
 }
 
 /// That a pose was given to these joints alone, which are those it was copied of or those that are selected.
-fn pasted_onto(skeleton: &SkeletalModel, joints: &[usize], as_copied: bool) -> String {
+fn pasted_onto(skeleton: &SkeletalModel, joints: &[usize], pasted: &Pasted) -> String {
     let onto = match joints {
         &[joint] => format!("{} alone", skeleton.joints()[joint].name),
         joints => format!("{} joints", joints.len()),
     };
-    match as_copied {
-        true => format!("Pasted onto {onto}, as copied"),
-        false => format!("Pasted onto {onto}; with no joint selected, onto all"),
+    let mirrored = match pasted.sides {
+        Sides::AsTheyAre => "",
+        Sides::Exchanged => "mirrored ",
+    };
+    match pasted.as_copied {
+        true => format!("Pasted {mirrored}onto {onto}, as copied"),
+        false => format!("Pasted {mirrored}onto {onto}; with no joint selected, onto all"),
     }
 }
 

@@ -154,6 +154,18 @@ impl EvaluatedGeometry {
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
+    /// Index of the position that is the nearest to the line of `ray`, in model space, seen from where that begins.
+    pub fn vertex_beside(&self, ray: &Ray) -> Option<usize> {
+        let along = ray.direction.normalize_or_zero();
+        let angle = |at: Vec3| {
+            let from = at - ray.origin;
+            from.reject_from_normalized(along).length() / from.length()
+        };
+        let positions = self.positions().iter().enumerate();
+        let nearest = positions.min_by(|a, b| angle(*a.1).total_cmp(&angle(*b.1)));
+        nearest.map(|(index, _)| index)
+    }
+
     fn nearest_triangle(&self, ray: &Ray) -> Option<(usize, TriangleHit)> {
         let (positions, triangles) = (self.positions(), &self.mesh.triangles);
         let order = self.mesh.triangle_order();

@@ -264,12 +264,18 @@ pub(super) fn press(
         && !of_row
         && selected_character(session).is_some()
         && session.selected_joint().is_none();
-    if command == Command::Delete && poses {
-        // Who has just clicked beside a bone does not mean the whole figure.
-        return actions.extend(tell_once(
-            "No joint is selected to be put back. The Select tool (V) deletes the character",
-            session,
-        ));
+    // Who has just clicked beside a bone does not mean the whole figure.
+    let why = match command {
+        Command::Delete => {
+            Some("No joint is selected to be put back. The Select tool (V) deletes the character")
+        }
+        Command::ResetPosition | Command::ResetRotation | Command::ResetScale => {
+            Some("No joint is selected to be put back. The Select tool (V) puts the character back")
+        }
+        _ => None,
+    };
+    if let Some(why) = why.filter(|_| poses) {
+        return actions.extend(tell_once(why, session));
     }
     let of_bone = state.navigation == Navigation::Blender
         && matches!(state.pose.tool, Tool::Pose | Tool::Ik)

@@ -214,7 +214,10 @@ pub(super) fn status_line(
             } else if messages::faded(ui, &state.notices) {
                 state.windows.open(Dialog::Messages);
             }
-            let (over, next) = status(session, state, input, ui.ctx());
+            let (over, mut next) = status(session, state, input, ui.ctx());
+            if state.explain.takes_clicks() && is_over_character(session, state, input) {
+                next = format!("Click to explain the vertex there · {next}").into();
+            }
             let strong = Palette::of(ui.visuals()).strong;
             let over = over.as_deref().map(|over| (over, strong));
             let texts = || over.into_iter().chain([(&*next, weak)]);
@@ -232,6 +235,13 @@ pub(super) fn status_line(
             });
         });
     });
+}
+
+/// Whether a character is under the pointer in the view.
+fn is_over_character(session: &Session, state: &UiState, input: &ViewInput) -> bool {
+    let bone = state.pose.hovered.as_ref();
+    let shape = bone.map(|hit| hit.shape).or(input.hovered_shape);
+    shape.is_some_and(|shape| session.scene().character(shape).is_some())
 }
 
 /// Name of what is under the pointer, if anything, and what gestures do there.
@@ -259,6 +269,10 @@ fn status(
         return (over, next);
     }
     if let Some(joint) = hovered_joint(session) {
+        // What is pointed at is a row or a button of the panel that explains.
+        if state.explain.lit() == session.hovered_joint() {
+            return (Some(joint), "".into());
+        }
         let next = pointing.words(
             "Click to select the joint · drag its numbers to turn it",
             "Tap to select the joint · drag its numbers to turn it",

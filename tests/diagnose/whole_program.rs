@@ -762,6 +762,37 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     let found = figure.diagnose(&written(&overwrites.skin(&figure), 6));
     assert_named(&found, "translation-overwritten", "");
 
+    // transform = transform * T * R, where it has the offset already.
+    let again = figure.degrees.iter().map(|degrees| *degrees != Vec3::ZERO);
+    let mut twice = Figure::builtin("adult", |joint| figure.degrees[joint]);
+    for (offset, again) in twice.offsets.iter_mut().zip(again) {
+        *offset *= if again { 2.0 } else { 1.0 };
+    }
+    let b = joint_to_world(&figure)[1].clone();
+    let of_offsets = |other: &Figure| {
+        let [own, _] = own_transforms(other);
+        let t = |joint: usize| {
+            let line = std::iter::successors(Some(joint), |&joint| figure.parents[joint]);
+            line.fold(Mat4::IDENTITY, |below, joint| own[joint] * below)
+        };
+        moved_by(&figure, |joint| t(joint) * b[joint].inverse())
+    };
+    let found = of_offsets(&twice);
+    assert_named(
+        &found,
+        "offset-repeated",
+        "in T, of joints that the pose turns",
+    );
+    let mut all_twice = Figure::builtin("adult", |joint| figure.degrees[joint]);
+    all_twice
+        .offsets
+        .iter_mut()
+        .for_each(|offset| *offset *= 2.0);
+    let found = of_offsets(&all_twice);
+    assert_named(&found, "offset-repeated", "in T");
+    let found = figure.diagnose(&written(&RIGHT.skin(&all_twice), 6));
+    assert_named(&found, "offset-repeated", "in T and in B");
+
     let root = figure.parents.iter().position(Option::is_none).unwrap();
     let offset = figure.offsets[root];
     let all_turned = Figure::builtin("adult", turned(67));

@@ -8,6 +8,7 @@ use editor_core::character::skinning::skin_positions;
 use editor_core::math::Euler;
 use glam::{EulerRot, Mat3, Mat4, Vec3};
 use serde_json::{Value, json};
+use std::path::Path;
 
 fn class() -> Class {
     let class = Class::new(&["robot", "dog"]);
@@ -443,6 +444,31 @@ fn what_is_kept_of_other_tests_is_named_in_whatever_order_a_program_has_made_the
         let named = cause(third) == json!([["angles-kept"]]);
         assert_eq!(named, student != "cid", "{student}");
     }
+}
+
+#[test]
+fn tests_have_the_same_character_whichever_of_its_files_they_name() {
+    let class = Class::new(&["robot", "robot"]);
+    let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/characters");
+    for extension in ["obj", "skel", "attach"] {
+        let file = format!("robot.{extension}");
+        class.write(&file, std::fs::read(assets.join(&file)).unwrap());
+    }
+    let mut tests = class.tests_file();
+    tests["tests"][0]["character"] = json!("robot.obj");
+    tests["tests"][1]["character"] = json!("robot.skel");
+    class.set_tests(&tests);
+    let right = with(&[]);
+    class.submit("ann", &right, |number| number.to_string());
+    let [(_, before), (name, own)] = &class.tests[..] else {
+        panic!("two tests");
+    };
+    let summed = Figure::builtin("robot", |joint| before.degrees[joint] + own.degrees[joint]);
+    let text = obj(&right.skin(&summed), own, |number| number.to_string());
+    class.write(&format!("class/ann/{name}.obj"), text);
+    let report = class.graded();
+    let found = result(&report, "ann", name);
+    assert_eq!(found["causes"], json!([["angles-kept"]]), "{found}");
 }
 
 #[test]

@@ -566,3 +566,38 @@ fn of_a_collada_file_mistakes_are_told_by_what_such_a_file_has() {
     let banner = format!("{shifted}: the first one for the root.");
     assert!(story.has_text(&banner), "in words without columns");
 }
+
+#[test]
+fn a_click_on_a_bone_selects_its_joint_and_explains_the_vertex_there_or_the_nearest_one() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.size = (800, 600);
+    story.settle();
+    story.click("Both");
+    story.click("View");
+    story.click("Explain Skinning");
+    let number = |story: &Story| {
+        let field = story.node("Vertex").and_then(|node| node.value());
+        field.expect("the number of the vertex").to_owned()
+    };
+    let skeleton = story.character().character.skeleton();
+    let places = skeleton.bind_positions();
+    let index = |name: &str| {
+        let mut joints = skeleton.joints().iter();
+        joints.position(|joint| joint.name == name).unwrap()
+    };
+    let [knee, foot] = ["Left knee", "Left foot"].map(index);
+    let middle = story.at(places[knee].lerp(places[foot], 0.5));
+    let mut known = vec![number(&story)];
+    let beside = story.at(places[knee].lerp(places[foot], 0.6)) + vec2(11.0, 0.0);
+    story.point(middle);
+    let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+    let mut texts = nodes.filter_map(|(_, node)| node.value());
+    assert!(texts.any(|text| text.starts_with("Click to explain the vertex there")));
+    for at in [middle, beside] {
+        story.click_at(at);
+        assert!(story.session().selected_joint().is_some());
+        let explained = number(&story);
+        assert!(!known.contains(&explained), "{explained} {known:?}");
+        known.push(explained);
+    }
+}

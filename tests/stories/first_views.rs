@@ -803,3 +803,31 @@ fn a_scene_that_was_saved_in_a_window_is_seen_whole_where_the_picture_is_higher_
     assert!(cut_off(camera(&wide)) && !cut_off(camera(&tall)));
     assert!(!tall.program.is_modified());
 }
+
+#[test]
+fn a_figure_that_is_imported_stands_beside_a_shape_of_its_size_and_on_its_ground_but_not_a_small_one()
+ {
+    let bounds =
+        |story: &Story, index: usize| story.session().evaluated().shapes[index].world_bounds();
+    for (scale, is_beside) in [(1.0, true), (0.05, false)] {
+        let mut story = start(&[]);
+        story.key_with(Modifiers::SHIFT, Key::S);
+        let shape = story.shape().id;
+        let mut transform = story.shape().placement.transform;
+        transform.scale = Vec3::splat(scale);
+        transform.position = Vec3::ZERO;
+        let edit = Edit::SetTransform(shape, transform);
+        story.program.session_mut().edit(edit).expect("it is there");
+        story.import("builtin:adult");
+        let [sphere, adult] = [0, 1].map(|index| bounds(&story, index));
+        assert_eq!(
+            adult.min.x > sphere.max.x,
+            is_beside,
+            "{scale} {sphere:?} {adult:?}"
+        );
+        if is_beside {
+            let gap = adult.min.y - sphere.min.y;
+            assert!(gap.abs() < 0.02, "{gap} above the ground");
+        }
+    }
+}

@@ -202,7 +202,19 @@ fn with_no_joint_selected_a_key_says_so_and_leaves_the_figure_that_is_posed() {
     assert!(said.starts_with("A bone only turns"), "{said}");
     assert_eq!(story.session().document(), before);
     assert!(!story.session().is_in_gesture());
+    // Nor is the whole figure put back.
+    story.type_into("Rotation Y", "40");
+    let before = story.session().document();
+    story.key_with(Modifiers::ALT, Key::R);
+    let (_, said) = *story.messages().last().unwrap();
+    assert!(
+        said.starts_with("No joint is selected to be put back"),
+        "{said}"
+    );
+    assert_eq!(story.session().document(), before);
     story.key(Key::V);
+    story.key_with(Modifiers::ALT, Key::R);
+    assert_ne!(story.session().document(), before);
     story.key(Key::G);
     assert!(story.session().is_in_gesture(), "the character is moved");
 }
@@ -454,7 +466,7 @@ fn a_pose_that_is_pasted_mirrored_onto_a_selected_joint_leaves_that_and_all_othe
     assert!((story.degrees("Neck").y - 20.0).abs() < 1e-3);
     assert_eq!(story.session().steps().len(), steps + 1);
     let (_, told) = *story.messages().last().unwrap();
-    assert_eq!(told, "Pasted onto Right elbow alone, as copied");
+    assert_eq!(told, "Pasted mirrored onto Right elbow alone, as copied");
 }
 
 #[test]

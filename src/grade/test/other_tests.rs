@@ -14,10 +14,18 @@ impl Test {
             .is_some_and(|measure| measure.off == 0)
     }
 
+    /// Whether the character is that of `other`, whichever of its files each of the tests names.
+    pub(super) fn has_character_of(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|test| &*test.character);
+        own.skeleton().joints() == others.skeleton().joints()
+            && own.bind_mesh().positions == others.bind_mesh().positions
+            && own.attachments() == others.attachments()
+    }
+
     /// Whether a mesh is this character in the pose of `other`, which has another character with joints of the same names:
     /// a program may always pose by the same file.
     pub(super) fn is_in_pose_of(&self, other: &Self, theirs: &Mesh) -> bool {
-        if other.data.character.path == self.data.character.path {
+        if other.has_character_of(self) {
             return false;
         }
         let [own, others] = [self, other].map(|test| test.character.skeleton().joints());
@@ -81,8 +89,7 @@ impl Test {
 
     /// `found`, or that something of others of `tests` was kept, if that gives `theirs`.
     pub(super) fn or_of_kept(&self, found: Diagnosis, theirs: &Mesh, tests: &[Self]) -> Diagnosis {
-        let path = &self.data.character.path;
-        let of_character = |test: &&Self| test.data.character.path == *path;
+        let of_character = |test: &&Self| test.has_character_of(self);
         let (before, after) = match tests
             .iter()
             .position(|test| test.data.name == self.data.name)

@@ -13,8 +13,8 @@ impl Test {
     pub fn mesh_test<'a>(&self, tests: &'a [Self]) -> Option<&'a Self> {
         let is_of_same = |test: &&Self| {
             test.data.kind == TestKind::Mesh
-                && test.data.character.path == self.data.character.path
-                && test.data.pose.path == self.data.pose.path
+                && test.has_character_of(self)
+                && test.pose == self.pose
         };
         let mut meshes = tests.iter().filter(is_of_same);
         meshes.next().filter(|_| self.data.kind != TestKind::Mesh)

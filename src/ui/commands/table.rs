@@ -268,7 +268,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose Tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]).also("joints sliders rotate animate"),
     entry(Command::SetTool(Tool::Move), Menu::Tools, "Move Tool", "Left drag moves the shape under the pointer, or where bones show or it is selected, the root", &[key(NONE, Key::G), key(NONE, Key::W)]).also("translate grab position"),
     entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate Tool", "Rings turn the selected shape about its origin, several about the middle of theirs", &[key(NONE, Key::E)]).also("gizmo spin"),
-    entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale Tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]).also("size resize gizmo"),
+    entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale Tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all; figures stay on their ground", &[key(NONE, Key::R)]).also("size resize gizmo"),
     entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK Tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]).also("inverse kinematics reach"),
     entry(Command::ToggleLocalAxes, Menu::Tools, "Local Axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]).also("global orientation"),
     entry(Command::PinJoint, Menu::Tools, "Pin Joint", "Hold the joint under the pointer, or all that are selected, where it is while the IK tool drags others", &[key(NONE, Key::P)]).also("fix anchor"),

@@ -148,6 +148,11 @@ impl ExplainState {
         self.made.is_some()
     }
 
+    /// Whether a click on a character explains the vertex there.
+    pub(super) fn takes_clicks(&self) -> bool {
+        self.is_open && self.topic == Topic::Formula
+    }
+
     /// Joint that is lit in the view and in the list of joints.
     pub(super) fn lit(&self) -> Option<usize> {
         match self.topic {

@@ -2,7 +2,7 @@
 
 use super::digits::Digits;
 use super::shown::Made;
-use super::{ExplainState, Explained, Topic};
+use super::{ExplainState, Explained};
 use crate::diagnose::{Formula, VertexFormula};
 use crate::editor::{Session, View};
 use crate::math::Aabb;
@@ -107,7 +107,7 @@ impl ExplainState {
 }
 
 /// Picks the vertex of a character that is clicked in the view, and selects that character, unless the
-/// click is on a bone, which `selects` itself; whether one was. With Ctrl or Shift a click is about the
+/// click is on a bone, which `selects` itself, and beside which the nearest vertex is meant; whether one was. With Ctrl or Shift a click is about the
 /// selection alone.
 pub(in crate::ui) fn pointer(
     view: &Response,
@@ -118,11 +118,14 @@ pub(in crate::ui) fn pointer(
     actions: &mut Vec<Action>,
 ) -> bool {
     let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
-    if !state.is_open || state.topic != Topic::Formula || adds || !view.clicked() {
+    if !state.takes_clicks() || adds || !view.clicked() {
         return false;
     }
     let clicked = view.interact_pointer_pos();
-    let Some((shape, vertex)) = clicked.and_then(|at| vertex_at(places, session, state, at)) else {
+    let bone = session.hovered_bone().filter(|_| selects);
+    let bone = bone.map(|(shape, _)| shape);
+    let picked = clicked.and_then(|at| vertex_at(places, session, state, at, bone));
+    let Some((shape, vertex)) = picked else {
         return false;
     };
     state.pick(shape, vertex);
@@ -132,20 +135,32 @@ pub(in crate::ui) fn pointer(
     true
 }
 
-/// The vertex of a character at a point of the window, of the mesh that is shown there.
+/// The vertex of a character at a point of the window, of the mesh that is shown there, or else of the one with the `bone`
+/// there.
 fn vertex_at(
     places: &ScenePlaces,
     session: &Session,
     state: &mut ExplainState,
     at: Pos2,
+    bone: Option<ShapeId>,
 ) -> Option<(ShapeId, usize)> {
     let place = places.at(at)?;
     let ray = session.view().camera.ray(place.pixel(at), place.size());
     let mistaken = state.evaluated(session);
     let evaluated = mistaken.as_ref().unwrap_or(session.evaluated());
-    let (id, _) = pick_shape(evaluated, &ray)?;
-    session.scene().character(id)?;
-    let shape = evaluated.shape(id)?;
-    let ray = ray.transformed(shape.world_from_model.inverse());
-    Some((id, shape.geometry.nearest_vertex(&ray)?))
+    let in_model = |id: ShapeId| {
+        let shape = evaluated.shape(id)?;
+        let ray = ray.transformed(shape.world_from_model.inverse());
+        Some((&shape.geometry, ray))
+    };
+    let met = pick_shape(evaluated, &ray).map(|(id, _)| id);
+    let met = met.filter(|&id| session.scene().character(id).is_some());
+    let on_mesh = met.and_then(|id| {
+        let (geometry, ray) = in_model(id)?;
+        Some((id, geometry.nearest_vertex(&ray)?))
+    });
+    on_mesh.or_else(|| {
+        let (geometry, ray) = in_model(bone?)?;
+        Some((bone?, geometry.vertex_beside(&ray)?))
+    })
 }

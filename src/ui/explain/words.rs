@@ -152,7 +152,11 @@ fn of_offsets(offsets: Offsets) -> Mark {
     match offsets {
         Offsets::All => Mark::Same,
         Offsets::None => Mark::LeftOut,
-        Offsets::OfRoots | Offsets::ButOfRoots | Offsets::OfUnposed => Mark::Changed,
+        Offsets::OfRoots
+        | Offsets::ButOfRoots
+        | Offsets::OfUnposed
+        | Offsets::Twice
+        | Offsets::TwiceOfPosed => Mark::Changed,
     }
 }
 

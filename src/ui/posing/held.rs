@@ -214,9 +214,13 @@ impl Held {
             Drag::Scale(drag) => {
                 let axes = drag.constraint().into_iter().flat_map(Constraint::axes);
                 let letters: String = axes.map(letter).collect();
+                let on_ground = match drag.stays_on_ground() {
+                    true => ", on its ground",
+                    false => "",
+                };
                 match typed {
-                    Some(typed) => format!("{letters}× {typed}"),
-                    None => format!("{letters}× {:.2}", drag.factor()),
+                    Some(typed) => format!("{letters}× {typed}{on_ground}"),
+                    None => format!("{letters}× {:.2}{on_ground}", drag.factor()),
                 }
             }
             Drag::Move(drag) => match typed {
