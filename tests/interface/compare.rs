@@ -68,6 +68,8 @@ pub fn carry_out(comparing: &mut Option<Comparing>, ask: &Ask) {
 
 fn comparing() -> Editor {
     let mut editor = Editor::sized(vec2(1280.0, 800.0));
+    editor.choose(&["Insert", "Cube"]);
+    editor.view(View::Select(None));
     editor.harness.state_mut().comparing = Some(Comparing::new());
     editor.settle();
     editor
