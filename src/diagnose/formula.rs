@@ -44,10 +44,35 @@ pub struct Formula {
     pub keeps_parents: [bool; 2],
     /// Whether the transforms of roots are multiplied on twice, in T and in B.
     pub roots_twice: [bool; 2],
-    /// Whether the sum begins with the vertex at rest.
-    pub begins_at_rest: bool,
+    /// What the sum begins with.
+    pub begun: Begun,
     /// Whether what comes of it is moved once more in the same way.
     pub moves_twice: bool,
+}
+
+/// What the weighted sum of a vertex begins with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Begun {
+    /// 0.
+    AtZero,
+    /// The vertex at rest.
+    AtRest,
+    /// What it is at rest as the formula gives it, of an earlier sum.
+    Summed,
+    /// Both of these.
+    AtRestAndSummed,
+}
+
+impl Begun {
+    /// How many times the vertex at rest is in it, whose weights have this sum.
+    pub(super) fn times(self, weights: f64) -> f64 {
+        match self {
+            Self::AtZero => 0.0,
+            Self::AtRest => 1.0,
+            Self::Summed => weights,
+            Self::AtRestAndSummed => 1.0 + weights,
+        }
+    }
 }
 
 /// A joint's transform relative to its parent.
@@ -296,7 +321,7 @@ impl Default for Formula {
             reached: None,
             keeps_parents: [false; 2],
             roots_twice: [false; 2],
-            begins_at_rest: false,
+            begun: Begun::AtZero,
             moves_twice: false,
         }
     }

@@ -1,7 +1,7 @@
 //! Mistakes that are found otherwise than by making each in every way: in the faces of a mesh, in single joints, and with
 //! numbers from the mesh.
 
-use super::formula::{Columns, Formula, Offsets};
+use super::formula::{Begun, Columns, Formula, Offsets};
 use super::mistake::{LOOK_AT_PLACE, MESH, Mistake, SKELETON, SLIDERS, SSD, reading};
 use std::f64::consts::PI;
 
@@ -90,7 +90,15 @@ pub static SUM_NOT_RESET: Mistake = Mistake {
     meaning: "the sum is not set to 0 first, so that it goes on from what it was",
     section: SSD,
     look_at: "updateMeshVertices: the sum is set to 0 inside of the loop over the vertices, each time that it runs",
-    readings: &[],
+    readings: &[
+        reading("from what the mesh at rest was skinned to", |formula| {
+            formula.begun = Begun::Summed
+        }),
+        reading(
+            "from the mesh at rest and what that was skinned to",
+            |formula| formula.begun = Begun::AtRestAndSummed,
+        ),
+    ],
 };
 
 /// A mistake that gives the same mesh as joints without offsets, whatever the pose: it is named with it.

@@ -1,6 +1,6 @@
 //! Mistakes of a whole program in the weighted sum: in what is summed, and in the weights.
 
-use super::formula::{Columns, Factors, Kept, Rescaled, Rounded};
+use super::formula::{Begun, Columns, Factors, Kept, Rescaled, Rounded};
 use super::mistake::{EVERY_JOINT_COUNTS, Mistake, SSD, reading};
 
 /// A mistake in the weighted sum.
@@ -9,7 +9,7 @@ pub(super) static SUM_BEGUN_AT_REST: Mistake = Mistake {
     meaning: "the sum for each vertex begins with its place at rest instead of 0",
     section: SSD,
     look_at: "updateMeshVertices: the vertex is set to 0 before what the joints give is added",
-    readings: &[reading("", |formula| formula.begins_at_rest = true)],
+    readings: &[reading("", |formula| formula.begun = Begun::AtRest)],
 };
 
 /// A mistake in the weighted sum.

@@ -3,7 +3,7 @@
 use super::MUCH_NEARER;
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
-use super::found_otherwise::{ANGLES_SCALED, JOINT_LEFT_OUT, VERTEX_WITHOUT_W};
+use super::found_otherwise::{ANGLES_SCALED, JOINT_LEFT_OUT, SUM_NOT_RESET, VERTEX_WITHOUT_W};
 use super::mistake::{Mistake, Reading, reading};
 use super::mistakes::MISTAKES;
 use super::model::Model;
@@ -374,9 +374,10 @@ fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
 
 /// Every way to make a mistake that is sought alone first.
 pub(super) fn ways_of_whole_program() -> impl Iterator<Item = Made> {
-    let of_whole = OF_WHOLE_PROGRAM
-        .into_iter()
-        .chain([&JOINT_LEFT_OUT, &ANGLES_SCALED]);
+    let of_whole =
+        OF_WHOLE_PROGRAM
+            .into_iter()
+            .chain([&JOINT_LEFT_OUT, &ANGLES_SCALED, &SUM_NOT_RESET]);
     of_whole.flat_map(|mistake| {
         let readings = mistake.readings.iter();
         readings.map(move |reading| Made { mistake, reading })

@@ -107,11 +107,7 @@ impl<'a> Skinner<'a> {
             .kept
             .iter()
             .filter_map(|&(index, weight)| Some(DMat3::from_mat4(self.palette[index]?) * weight));
-        let begun = if self.formula.begins_at_rest {
-            DMat3::IDENTITY
-        } else {
-            DMat3::ZERO
-        };
+        let begun = DMat3::IDENTITY * self.begun(&self.kept);
         let once = parts.fold(begun, |sum, part| sum + part);
         let moved = if self.formula.moves_twice {
             once * once
@@ -158,12 +154,14 @@ impl<'a> Skinner<'a> {
             Some(divided.each(self.palette[index]? * bind.extend(1.0)) * weight)
         });
         let sum: DVec4 = moved.sum();
-        let begun = if self.formula.begins_at_rest {
-            bind
-        } else {
-            DVec3::ZERO
-        };
+        let begun = bind * self.begun(weights);
         begun + sum.xyz() * divided.factor(sum)
+    }
+
+    /// How many times the vertex at rest is in what the sum of these `weights` begins with.
+    fn begun(&self, weights: &[(usize, f64)]) -> f64 {
+        let sum = weights.iter().map(|(_, weight)| weight).sum();
+        self.formula.begun.times(sum)
     }
 
     /// How far `theirs` is from the vertex at `index` of those that it writes; from the nearest place where programs

@@ -27,7 +27,7 @@ pub(super) async fn find(
     pace: &Pace,
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
-    for mistake in OF_WHOLE_PROGRAM {
+    for mistake in OF_WHOLE_PROGRAM.into_iter().chain([&SUM_NOT_RESET]) {
         if std::ptr::eq(mistake, &raw const ANGLE_REPEATED) && !found.is_empty() {
             continue;
         }

@@ -28,8 +28,7 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
     let mut bounds = bounds_of(shapes);
     let is_curve = |shape: &NewShape| matches!(shape.kind, ShapeKind::Curve(_));
     let Some(front) = shapes.iter().find_map(NewShape::front) else {
-        let mut figures = standing(session);
-        figures.retain(|other| other.is_solid);
+        let figures = figures_of(session);
         if shapes.iter().all(is_curve) {
             stand_beside(session, shapes, &bounds, |bounds| {
                 way_out(&body_of(bounds), &figures, Vec3::X)
@@ -135,6 +134,13 @@ fn standing(session: &Session) -> Vec<Stander> {
         is_solid: shape.front().is_some(),
     });
     there.collect()
+}
+
+/// The figures that are seen in the document.
+pub(super) fn figures_of(session: &Session) -> Vec<Stander> {
+    let mut figures = standing(session);
+    figures.retain(|other| other.is_solid);
+    figures
 }
 
 /// Moves shapes with these `bounds`, which would stand in others, onto the ground of the characters, and there by what

@@ -1,4 +1,5 @@
-use super::among::bounds_of;
+use super::among::{bounds_of, figures_of};
+use super::standing::{moved, way_out};
 use super::{Edit, Session};
 use crate::math::{Euler, Transform};
 use crate::scene::{CharacterDisplay, NewShape, Scene, Shape, ShapeId, ShapeKind};
@@ -217,7 +218,7 @@ pub fn duplicates_in_place(session: &Session) -> Vec<NewShape> {
 }
 
 /// Moves shapes that are to be added in the direction of X, all by the same way, until none of them
-/// stands where one like it stands already.
+/// stands where one like it stands already, and then past the figures in which they would stand there.
 pub fn set_apart(session: &Session, shapes: &mut [NewShape]) {
     /// Gap between a shape and its copy, relative to the width of both.
     const GAP: f32 = 0.1;
@@ -243,7 +244,11 @@ pub fn set_apart(session: &Session, shapes: &mut [NewShape]) {
     let most = there.len() * shapes.len() + 1;
     let step = Vec3::X * width * (1.0 + GAP);
     let mut places = (0..=most).map(|count| step * count as f32);
-    let beside = places.find(|&place| !is_taken(place)).unwrap_or(step);
+    let mut beside = places.find(|&place| !is_taken(place)).unwrap_or(step);
+    if beside != Vec3::ZERO {
+        let figures = figures_of(session);
+        beside += way_out(&moved(&bounds, beside), &figures, Vec3::X);
+    }
     for shape in shapes {
         shape.placement.transform.position += beside;
         shape.start.transform.position += beside;

@@ -197,13 +197,27 @@ impl Kept<'_> {
     fn ways(&self, own: &Posed<'_>) -> Vec<Way> {
         let result = format!("the result of {}", self.named(" together"));
         let summed = self.summed(own.places);
-        let begun = places_with(&summed, &self.by.character.bind_mesh().positions);
+        let rest = &self.by.character.bind_mesh().positions;
+        let at_rest = self.by.skin(&Pose::new());
+        let begun = places_with(&summed, rest);
+        let begun_with_sum = places_with(&summed, &at_rest);
+        let begun_with_both = places_with(&begun, &at_rest);
         let mut ways = vec![
             (&SUM_NOT_RESET, format!("from {result}"), summed),
             (
                 &SUM_NOT_RESET,
                 format!("from the mesh at rest and {result}"),
                 begun,
+            ),
+            (
+                &SUM_NOT_RESET,
+                format!("from what the mesh at rest was skinned to and {result}"),
+                begun_with_sum,
+            ),
+            (
+                &SUM_NOT_RESET,
+                format!("from the mesh at rest, what that was skinned to and {result}"),
+                begun_with_both,
             ),
         ];
         let skinned = self.skinned(own.pose).map(|places| {

@@ -9,7 +9,7 @@ use super::{
     number_field,
 };
 use crate::editor::{Session, Tool, View};
-use crate::scene::Shape;
+use crate::scene::{Look, Shape};
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
 /// a choice of color is open, which they close.
@@ -316,6 +316,14 @@ pub(super) fn press(
         let is_of_drag = matches!(command, Command::Begin(_));
         state.refused_at = is_of_drag.then_some(pressed.at);
         return actions.extend(tell_once(why, session));
+    }
+    let view = session.view();
+    if command == Command::ResetCamera
+        && view.look == Look::Mannequin
+        && view.camera != *session.start_camera()
+    {
+        let again = "Home once more leads to where the Virtual Mannequin's page starts";
+        actions.extend(tell_once(again, session));
     }
     let selected = session.selected().and_then(|id| session.scene().shape(id));
     let hides = command == Command::ToggleVisible && selected.is_some_and(|shape| shape.visible);

@@ -70,6 +70,45 @@ fn axes_with_smooth_edges_are_told_where_nothing_else_differs() {
     assert_eq!(told(&with, &without), [only_a]);
 }
 
+/// A picture of something gray of which the part is seen through that `is_hole`.
+fn gray_but(is_hole: impl Fn(u32, u32) -> bool) -> Picture {
+    let mut picture = SCENE.paint();
+    let (pixels, _) = picture.rgba.as_chunks_mut::<4>();
+    for (index, pixel) in pixels.iter_mut().enumerate() {
+        let [r, g, b] = match is_hole(index as u32 % WIDTH, index as u32 / WIDTH) {
+            true => SCENE.background,
+            false => [140, 140, 140],
+        };
+        *pixel = [r, g, b, 255];
+    }
+    picture
+}
+
+#[test]
+fn axes_that_a_figure_around_them_hides_are_told_where_nothing_else_differs() {
+    let told = |without: &Picture, lines: &[Line]| {
+        let with = with_lines(without, lines, 0.5);
+        let found = findings(without, &with);
+        let alone = Finding::Axes {
+            only_in: Which::B,
+            alone: true,
+        };
+        found == [alone]
+    };
+    let [x, y, _] = AXES;
+    // Through the hole of a ring, and a line of which most is hidden.
+    let ring = gray_but(|x, y| x.abs_diff(120) < 30 && y.abs_diff(90) < 25);
+    assert!(told(&ring, &[x, y]));
+    let vase = gray_but(|x, _| !(18..140).contains(&x));
+    assert!(told(&vase, &[x]));
+    // A single line that ends in the picture may be anything.
+    assert!(!told(&ring, &[x]));
+    // Over a line of another color that both have.
+    let yellow = ([-1.0, 95.3], [60.0, 95.3], [255, 255, 0]);
+    let both = with_lines(&SCENE.paint(), &[yellow], 0.5);
+    assert!(told(&both, &AXES));
+}
+
 #[test]
 fn axes_are_told_beside_what_else_differs_and_do_not_hide_it() {
     let without = SCENE.paint();

@@ -584,6 +584,8 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
     story.program.carry_out(seen, &mut story.host);
     story.key(Key::Home);
     assert_eq!(story.session().view().camera, start);
+    let (_, told) = *story.messages().last().expect("what Home does next");
+    assert!(told.starts_with("Home once more"), "{told}");
     story.key(Key::Home);
     let camera = story.session().view().camera;
     assert!(camera.eye().abs_diff_eq(Vec3::new(0.0, 0.0, -6.0), 1e-5));

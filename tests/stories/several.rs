@@ -4,7 +4,7 @@ use super::{Story, differing};
 use crate::host::MemoryHost;
 use editor_core::editor::{Severity, View};
 use editor_core::scene::{ModelDisplay, ShapeId};
-use editor_core::ui::Action;
+use editor_core::ui::{Action, Ask};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use glam::Vec3;
 
@@ -380,4 +380,25 @@ fn in_a_drag_of_the_list_esc_and_ctrl_z_cancel_it_and_delete_does_nothing() {
     story.settle();
     assert_eq!(story.names(), ["Pyramid", "Cube", "Sphere"]);
     assert_eq!(story.session().done_steps(), before + 1);
+}
+
+#[test]
+fn a_copy_of_a_figure_stands_in_no_other_one() {
+    let mut story = Story::start(&["builtin:adult"]);
+    let insert = Action::Ask(Ask::InsertBuiltin("robot"));
+    story.program.carry_out(vec![insert], &mut story.host);
+    story.settle();
+    let first = story.session().scene().shapes()[0].id;
+    story.program.session_mut().look(View::Select(Some(first)));
+    story.settle();
+    story.key_with(CTRL, Key::D);
+    story.key_with(CTRL, Key::D);
+    let shapes = story.session().evaluated().shapes.iter();
+    let mut bounds: Vec<_> = shapes.map(|shape| shape.world_bounds()).collect();
+    bounds.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
+    for pair in bounds.windows(2) {
+        let overlap = pair[0].max.x - pair[1].min.x;
+        let narrower = pair[0].size().x.min(pair[1].size().x);
+        assert!(overlap < 0.5 * narrower, "{pair:?}");
+    }
 }

@@ -1,4 +1,5 @@
-//! Axes that are drawn in one picture alone: thin straight lines in red, green or blue that leave it.
+//! Axes that are drawn in one picture alone: thin straight lines in red, green or blue that leave it, or that cross and are
+//! all that differs.
 
 use super::evidence::{FEWEST_PIXELS, UNEXPLAINED_ONE_IN, count};
 use super::{Finding, Which};
@@ -35,15 +36,40 @@ pub(super) struct Axes {
     pub alone: bool,
 }
 
+/// Where the lines of axes end.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Ends {
+    /// At sides of the picture.
+    AtSides,
+    /// Anywhere: a figure around them hides the rest.
+    Anywhere,
+}
+
 impl Axes {
     /// The axes in `pair`, of which the pixels `other_colors` differ. Where something else differs as well,
-    /// a single line is not taken for an axis, nor are lines that do not cross. Nor are lines of which a part is in both
-    /// pictures, such as beside a panel that covers the rest in one of them.
+    /// a single line is not taken for an axis, nor are lines that do not cross, or that do not leave the picture. Nor are
+    /// lines of which a part is in both pictures, such as beside a panel that covers the rest in one of them.
     pub(super) async fn find(pair: &Pair<'_>, other_colors: &[bool], pace: &Pace) -> Option<Self> {
+        let leaving = Self::find_by(pair, other_colors, Ends::AtSides, pace).await;
+        let sides = (pair.width() + pair.height()) as u64;
+        if leaving.is_some() || count(other_colors) > MOST_OF_SIDES * sides {
+            return leaving;
+        }
+        Self::find_by(pair, other_colors, Ends::Anywhere, pace).await
+    }
+
+    /// The same with lines that end there, or at sides.
+    async fn find_by(
+        pair: &Pair<'_>,
+        other_colors: &[bool],
+        ends: Ends,
+        pace: &Pace,
+    ) -> Option<Self> {
         let sides = [(pair.a(), pair.b()), (pair.b(), pair.a())];
         let mut are_in = [false; 2];
         let mut pixels = vec![false; other_colors.len()];
         let mut lines: Vec<Seen> = Vec::new();
+        let mut spans = false;
         for (is_in, (with, without)) in are_in.iter_mut().zip(sides) {
             let mut channels = Vec::with_capacity(other_colors.len());
             pace.bands(other_colors.len(), |band| {
@@ -58,8 +84,18 @@ impl Axes {
             for channel in 0..3 {
                 let colored = Mask::of_channel(pair, &channels, channel).thin();
                 pace.after(other_colors.len()).await;
-                let line = colored.longest_line(pace).await;
-                if let Some(line) = line.filter(|line| colored.is_axis(*line)) {
+                let leaving = colored.longest_line(Ends::AtSides, pace).await;
+                let is_across = |line: &Line| match ends {
+                    Ends::AtSides => colored.is_axis(*line),
+                    Ends::Anywhere => colored.is_axis(*line) || colored.spans(*line),
+                };
+                let mut line = leaving.filter(is_across);
+                if line.is_none() && ends == Ends::Anywhere {
+                    line = colored.longest_line(ends, pace).await;
+                    line = line.filter(|line| colored.has_few_gaps(*line));
+                }
+                spans |= line.is_some_and(|line| colored.spans(line));
+                if let Some(line) = line {
                     let both = Mask::in_both(pair, with, other_colors, channel).thin();
                     pace.after(other_colors.len()).await;
                     if both.runs(line).flatten().count() >= LEAST_LENGTH {
@@ -78,8 +114,13 @@ impl Axes {
             let others = lines[..index].iter();
             others.map(move |other| (one, other))
         });
-        let do_cross = pairs.any(|(one, other)| one.crosses(other, size));
-        let are_axes = own >= FEWEST_PIXELS && (alone || do_cross);
+        let are_axes = match ends {
+            Ends::AtSides => alone || pairs.any(|(one, other)| one.crosses(other, size)),
+            Ends::Anywhere => {
+                alone && (lines.len() == 1 && spans || pairs.any(|(one, other)| one.meets(other)))
+            }
+        };
+        let are_axes = are_axes && own >= FEWEST_PIXELS;
         are_axes.then_some(Self {
             only_in,
             pixels,
@@ -93,25 +134,27 @@ impl Axes {
     }
 }
 
-/// The channel of an axis that a color may be of, over another color: more of that one, less of the others.
+/// The channel of an axis that a color may be of, over another color: more of that one, or less of others.
 fn axis_channel(over: Pixel, under: Pixel) -> Option<u8> {
     let channel = (1..3).fold(0, |most, channel| match over[channel] > over[most] {
         true => channel,
         false => most,
     });
-    let mut others = (0..3).filter(|&other| other != channel);
-    let stands_out_more = others.all(|other| {
-        let stood_out = i16::from(under[channel]) - i16::from(under[other]);
-        let stands_out_by = i16::from(over[channel]) - i16::from(over[other]);
-        stands_out_by > stood_out
-    });
+    let others = || (0..3).filter(|&other| other != channel);
+    let more = |other: usize| by(over, channel, other) - by(under, channel, other);
+    let stands_out_more = others().all(|it| more(it) >= 0) && others().any(|it| more(it) > 0);
     (stands_out_more && stands_out(over, channel)).then_some(channel as u8)
 }
 
 /// Whether a color is that of an axis in this channel.
 fn stands_out(color: Pixel, channel: usize) -> bool {
     let mut others = (0..3).filter(|&other| other != channel);
-    others.all(|other| color[channel] >= color[other].saturating_add(LEAST_COLOR))
+    others.all(|other| by(color, channel, other) >= i16::from(LEAST_COLOR))
+}
+
+/// By how much one channel of a color is more than another.
+fn by(color: Pixel, channel: usize, other: usize) -> i16 {
+    i16::from(color[channel]) - i16::from(color[other])
 }
 
 /// A straight line through a picture, by whole steps along the side that it goes along more.
@@ -161,12 +204,26 @@ impl Seen {
     /// Whether both, as far as they go on in a picture of this size, cross in it, as axes do at the origin: edges of one
     /// thing run beside each other.
     fn crosses(&self, other: &Self, size: Vec2) -> bool {
+        let [a, b] = self.ends();
+        let at = self.crossing(other).map(|part| a + (b - a) * part);
+        at.is_some_and(|at| at.cmpge(Vec2::ZERO).all() && at.cmple(size).all())
+    }
+
+    /// Whether both cross where they are seen.
+    fn meets(&self, other: &Self) -> bool {
+        let [own, others] = [self.crossing(other), other.crossing(self)];
+        let is_between = |part: Option<f32>| part.is_some_and(|part| (0.0..=1.0).contains(&part));
+        is_between(own) && is_between(others)
+    }
+
+    /// Where it crosses the line of the other, as a part of it: 0 at its first end, 1 at its last; `None` if they run beside
+    /// each other.
+    fn crossing(&self, other: &Self) -> Option<f32> {
         let ([a, b], [c, d]) = (self.ends(), other.ends());
         let (own, others) = (b - a, d - c);
         let across = own.perp_dot(others);
-        let at = a + own * ((c - a).perp_dot(others) / across);
         let sine = across.abs() / (own.length() * others.length());
-        sine > LEAST_SINE && at.cmpge(Vec2::ZERO).all() && at.cmple(size).all()
+        (sine > LEAST_SINE).then(|| (c - a).perp_dot(others) / across)
     }
 }
 
@@ -233,9 +290,9 @@ impl Mask {
         Self { inside, ..*self }
     }
 
-    /// The line with the most of the pixels, of those that leave the picture; `None` without any that is
+    /// The line with the most of the pixels, of those that begin there; `None` without any that is
     /// long enough.
-    async fn longest_line(&self, pace: &Pace) -> Option<Line> {
+    async fn longest_line(&self, ends: Ends, pace: &Pace) -> Option<Line> {
         let most = MOST_OF_SIDES * (self.size[0] + self.size[1]) as u64;
         if !(FEWEST_PIXELS..=most).contains(&count(&self.inside)) {
             return None;
@@ -246,7 +303,11 @@ impl Mask {
                 .into_iter()
                 .any(|(&at, size)| at == 0 || at + 1 == size)
         };
-        let starts = some_of(self.pixels().filter(is_at_border).collect(), STARTS);
+        let starts = self.pixels().filter(|pixel| match ends {
+            Ends::AtSides => is_at_border(pixel),
+            Ends::Anywhere => true,
+        });
+        let starts = some_of(starts.collect(), STARTS);
         let ends = some_of(self.pixels().collect(), ENDS);
         let mut longest: Option<(usize, Line)> = None;
         for from in starts {
@@ -296,11 +357,26 @@ impl Mask {
 
     /// Whether a line has few gaps, and leaves the picture: it ends at a side, and does not run along it.
     fn is_axis(&self, line: Line) -> bool {
-        let range = self.range(line);
-        let seen = self.runs(line).flatten().count();
-        let sides = [range.start, range.end - 1].map(|at| self.sides_at(line.pixel(at, 0)));
+        let sides = self.sides_of_ends(line);
         let leaves = sides[0].iter().zip(sides[1]).any(|(a, b)| *a != b);
-        leaves && seen as f32 >= WHOLE * range.len() as f32
+        leaves && self.has_few_gaps(line)
+    }
+
+    /// Whether a line goes from side to side, however much of it is hidden.
+    fn spans(&self, line: Line) -> bool {
+        let sides = self.sides_of_ends(line);
+        sides[0] != sides[1] && sides.iter().all(|at| at.contains(&true))
+    }
+
+    /// The sides of the picture that the first and the last pixel of a line are at.
+    fn sides_of_ends(&self, line: Line) -> [[bool; 4]; 2] {
+        let range = self.range(line);
+        [range.start, range.end - 1].map(|at| self.sides_at(line.pixel(at, 0)))
+    }
+
+    fn has_few_gaps(&self, line: Line) -> bool {
+        let seen = self.runs(line).flatten().count();
+        seen as f32 >= WHOLE * self.range(line).len() as f32
     }
 
     /// Which sides of the picture a pixel is at.
