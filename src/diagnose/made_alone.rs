@@ -37,6 +37,12 @@ pub(super) async fn find(
     one_joint::find(&fits, size, pace).await
 }
 
+/// Those of a whole program that give the mesh of `search`, which is right.
+pub(super) async fn unseen(search: &Search<'_>, exact: &[Placed], pace: &Pace) -> Vec<Explanation> {
+    let alone = MadeAlone::new(search, VertexOrder::File, exact);
+    whole_program::unseen(&alone, pace).await
+}
+
 /// A mesh that one such mistake may give.
 pub(super) struct MadeAlone<'a> {
     pub(super) search: &'a Search<'a>,

@@ -211,7 +211,8 @@ async fn diagnose_vertices(
         let (explanations, same): (Vec<_>, Vec<_>) = same.into_iter().partition(is_closer);
         if explanations.is_empty() {
             let mut found = findings.diagnosis(Verdict::Right);
-            for id in same.iter().flat_map(Explanation::ids) {
+            let of_whole = made_alone::unseen(&search, &exact, pace).await;
+            for id in same.iter().chain(&of_whole).flat_map(Explanation::ids) {
                 if !found.unseen.contains(&id) {
                     found.unseen.push(id);
                 }

@@ -4,12 +4,12 @@ use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
 use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
-use super::of_whole_program::OF_WHOLE_PROGRAM;
+use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
 use super::small_weights;
 use crate::steps::Pace;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 /// Factors of the angles from which on the right one is sought.
 const FACTORS: [f64; 3] = [1.0, 2.0, 0.5];
@@ -51,6 +51,28 @@ pub(super) async fn find(
     }
     if found.is_empty() {
         found.extend(misread_rows::find(alone, pace).await);
+    }
+    found
+}
+
+/// The mistakes that a right mesh does not show. One in how roots are moved is none where no root is.
+pub(super) async fn unseen(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
+    let (model, pose) = (alone.search.model, alone.search.pose);
+    let mut roots = model.skeleton().roots().iter();
+    let moves_root = roots.any(|&root| pose.root_offset(root) != Vec3::ZERO);
+    let mut found = Vec::new();
+    for mistake in OF_WHOLE_PROGRAM {
+        if std::ptr::eq(mistake, &raw const ROOT_NOT_MOVED) && !moves_root {
+            continue;
+        }
+        for reading in mistake.readings {
+            let mut formula = alone.formula();
+            (reading.make)(&mut formula);
+            if formula.is_of(model.character) {
+                let made = Made { mistake, reading };
+                found.extend(alone.made_by(&formula, made, pace).await);
+            }
+        }
     }
     found
 }
