@@ -37,10 +37,15 @@ pub(super) async fn find(
     one_joint::find(&fits, size, pace).await
 }
 
-/// Those of a whole program that give the mesh of `search`, which is right.
-pub(super) async fn unseen(search: &Search<'_>, exact: &[Placed], pace: &Pace) -> Vec<Explanation> {
-    let alone = MadeAlone::new(search, VertexOrder::File, exact);
-    whole_program::unseen(&alone, pace).await
+/// Those of a whole program that give the mesh of `search` as well as another one does, or as none does.
+pub(super) async fn as_well(
+    search: &Search<'_>,
+    order: VertexOrder,
+    exact: &[Placed],
+    pace: &Pace,
+) -> Vec<Explanation> {
+    let alone = MadeAlone::new(search, order, exact);
+    whole_program::as_well(&alone, pace).await
 }
 
 /// A mesh that one such mistake may give.

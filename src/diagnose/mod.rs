@@ -79,6 +79,7 @@ use crate::steps::{Pace, at_once};
 use findings::Findings;
 use glam::{DVec3, Vec3};
 use model::Model;
+use of_angles::ANGLE_REPEATED;
 use precision::Written;
 use search::{Alone, Explanation, Search};
 use std::rc::Rc;
@@ -211,7 +212,7 @@ async fn diagnose_vertices(
         let (explanations, same): (Vec<_>, Vec<_>) = same.into_iter().partition(is_closer);
         if explanations.is_empty() {
             let mut found = findings.diagnosis(Verdict::Right);
-            let of_whole = made_alone::unseen(&search, &exact, pace).await;
+            let of_whole = made_alone::as_well(&search, order, &exact, pace).await;
             for id in same.iter().chain(&of_whole).flat_map(Explanation::ids) {
                 if !found.unseen.contains(&id) {
                     found.unseen.push(id);
@@ -316,6 +317,11 @@ async fn sought(
     }
     if explanations.is_empty() {
         explanations = made_alone::find(search, fits, order, exact, size, pace).await;
+    } else if order == VertexOrder::File {
+        let as_well = made_alone::as_well(search, order, exact, pace).await;
+        // What is used twice is told only where nothing simpler gives the same.
+        let is_simple = |it: &Explanation| it.ids() != [ANGLE_REPEATED.id];
+        explanations.extend(as_well.into_iter().filter(is_simple));
     }
     if explanations.is_empty() {
         explanations = search.pairs(&alone, rounding, pace).await;

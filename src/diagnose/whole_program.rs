@@ -55,8 +55,9 @@ pub(super) async fn find(
     found
 }
 
-/// The mistakes that a right mesh does not show. One in how roots are moved is none where no root is.
-pub(super) async fn unseen(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
+/// The mistakes that give the mesh beside another one, or beside none where that is right. One in how roots are moved is none
+/// where no root is.
+pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
     let (model, pose) = (alone.search.model, alone.search.pose);
     let mut roots = model.skeleton().roots().iter();
     let moves_root = roots.any(|&root| pose.root_offset(root) != Vec3::ZERO);
