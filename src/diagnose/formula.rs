@@ -4,6 +4,7 @@ pub use super::factor_formula::{Divided, Factor, Factors, Shaped};
 pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached, Unfilled};
 pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
 use crate::character::Character;
+use glam::{DMat3, DQuat};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
 /// The default is the exact formula. Mistakes change parts of it, so two mistakes in different parts
@@ -44,6 +45,8 @@ pub struct Formula {
     pub keeps_parents: [bool; 2],
     /// Whether the transforms of roots are multiplied on twice, in T and in B.
     pub roots_twice: [bool; 2],
+    /// What is made of the rotation in T, while joints are where they should be.
+    pub current_rotations: Rotations,
     /// What the sum begins with.
     pub begun: Begun,
     /// Whether what comes of it is moved once more in the same way.
@@ -90,8 +93,8 @@ pub struct JointFormula {
     pub about: About,
     /// Axes of the rotations in the order in which they are multiplied: `[0, 1, 2]` is Rx · Ry · Rz.
     pub order: [usize; 3],
-    /// Whether the rotation is transposed, which turns it the other way.
-    pub is_transposed: bool,
+    /// What is made of the rotation.
+    pub rotations: Rotations,
     /// How many times it is multiplied on.
     pub times: usize,
     /// Whether it is R · T instead of T · R.
@@ -106,6 +109,32 @@ pub struct JointFormula {
     pub bind_offsets: Offsets,
     /// Whether the pose counts.
     pub has_pose: bool,
+}
+
+/// What a program makes of a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rotations {
+    /// The same.
+    Exact,
+    /// Its transpose, which turns the other way.
+    Transposed,
+    /// The numbers x, y, z, w of its quaternion are taken for w, x, y, z.
+    ScalarTakenFirst,
+    /// The numbers w, x, y, z of its quaternion are taken for x, y, z, w.
+    ScalarTakenLast,
+}
+
+impl Rotations {
+    pub(super) fn of(self, rotation: DMat3) -> DMat3 {
+        let of_numbers =
+            |numbers: fn(DQuat) -> DQuat| DMat3::from_quat(numbers(DQuat::from_mat3(&rotation)));
+        match self {
+            Self::Exact => rotation,
+            Self::Transposed => rotation.transpose(),
+            Self::ScalarTakenFirst => of_numbers(|q| DQuat::from_xyzw(q.y, q.z, q.w, q.x)),
+            Self::ScalarTakenLast => of_numbers(|q| DQuat::from_xyzw(q.w, q.x, q.y, q.z)),
+        }
+    }
 }
 
 /// Joint whose angles a joint is given.
@@ -284,7 +313,7 @@ impl Default for Formula {
                 units: AngleUnits::Radians,
                 about: About::Model,
                 order: [0, 1, 2],
-                is_transposed: false,
+                rotations: Rotations::Exact,
                 times: 1,
                 rotates_first: false,
                 roots_rotate_first: false,
@@ -321,6 +350,7 @@ impl Default for Formula {
             reached: None,
             keeps_parents: [false; 2],
             roots_twice: [false; 2],
+            current_rotations: Rotations::Exact,
             begun: Begun::AtZero,
             moves_twice: false,
         }

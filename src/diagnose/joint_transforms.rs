@@ -136,6 +136,9 @@ impl<'a> Joints<'a> {
         let [current_of_parents, bind_of_parents] = formula.keeps_parents;
         let mut current = kept(&tree, current_of_parents, current);
         let mut bind = kept(&bind_tree, bind_of_parents, bind);
+        for transform in &mut current {
+            transform.matrix3 = formula.current_rotations.of(transform.matrix3);
+        }
         if let Some((reached, unfilled)) = formula.reached {
             let is_reached = reached.of(model.skeleton());
             for (joint, _) in is_reached.iter().enumerate().filter(|(_, it)| !**it) {
@@ -361,11 +364,8 @@ impl JointFormula {
             AngleUnits::Degrees => angles.map(f64::to_degrees),
             AngleUnits::ConvertedTwice => angles.map(f64::to_radians),
         };
-        let mut rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();
-        if self.is_transposed {
-            rotation = rotation.transpose();
-        }
-        std::iter::repeat_n(rotation, self.times).product()
+        let rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();
+        std::iter::repeat_n(self.rotations.of(rotation), self.times).product()
     }
 }
 

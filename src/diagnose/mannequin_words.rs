@@ -81,6 +81,8 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
             "axes-not-converted",
             "angles-about-bones",
             "picture-turned",
+            "quaternion-order",
+            "current-rotation-transposed",
         ],
         None,
     ),

@@ -1,8 +1,8 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled, Rows,
-    VertexOrder,
+    AngleUnits, Chain, Columns, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled, Rotations,
+    Rows, VertexOrder,
 };
 use super::mistake::{
     EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, reading,
@@ -189,7 +189,7 @@ pub static MISTAKES: &[Mistake] = &[
         SLIDERS,
         "rotations are transposed, so that joints turn the other way",
         "setJointTransform: rows and columns of the rotation, of which a constructor may want the columns",
-        |formula| formula.joint.is_transposed = true
+        |formula| formula.joint.rotations = Rotations::Transposed
     ),
     one_way!(
         "angles-negated",

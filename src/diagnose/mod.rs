@@ -51,8 +51,8 @@ pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
     About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
-    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rounded, Rows, Shaped,
-    VertexOrder, WeightFormula,
+    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations, Rounded, Rows,
+    Shaped, VertexOrder, WeightFormula,
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
 pub use job::MeshJob;

@@ -1,7 +1,7 @@
 //! Mistakes of a whole program with the angles of joints, and in how often they count.
 
-use super::formula::AnglesOf;
-use super::mistake::{Mistake, SLIDERS, reading};
+use super::formula::{AnglesOf, Rotations};
+use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
 /// A mistake with the angles about the axes.
 pub(super) static ANGLES_EXCHANGED: Mistake = Mistake {
@@ -103,4 +103,37 @@ pub(super) static ROTATION_REPEATED: Mistake = Mistake {
         reading("twice", |formula| formula.joint.times = 2),
         reading("three times", |formula| formula.joint.times = 3),
     ],
+};
+
+/// A mistake in the numbers of quaternions.
+pub(super) static QUATERNION_ORDER: Mistake = Mistake {
+    id: "quaternion-order",
+    meaning: "the four numbers of a quaternion are taken in another order",
+    section: SLIDERS,
+    look_at: "wherever a quaternion is made, kept or read: whether w is its first number or its last",
+    readings: &[
+        reading("a joint's own, x, y, z, w as w, x, y, z", |formula| {
+            formula.joint.rotations = Rotations::ScalarTakenFirst;
+        }),
+        reading("a joint's own, w, x, y, z as x, y, z, w", |formula| {
+            formula.joint.rotations = Rotations::ScalarTakenLast;
+        }),
+        reading("that of T, x, y, z, w as w, x, y, z", |formula| {
+            formula.current_rotations = Rotations::ScalarTakenFirst;
+        }),
+        reading("that of T, w, x, y, z as x, y, z, w", |formula| {
+            formula.current_rotations = Rotations::ScalarTakenLast;
+        }),
+    ],
+};
+
+/// A mistake in how T turns vertices.
+pub(super) static CURRENT_ROTATION_TRANSPOSED: Mistake = Mistake {
+    id: "current-rotation-transposed",
+    meaning: "T turns the other way, while joints are where they should be",
+    section: SSD,
+    look_at: "where T or its quaternion comes to vertices: the signs of the quaternion, and rows and columns of the rotation",
+    readings: &[reading("", |formula| {
+        formula.current_rotations = Rotations::Transposed;
+    })],
 };

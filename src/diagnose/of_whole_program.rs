@@ -4,7 +4,8 @@
 use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped, Reached, Unfilled};
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
 use super::of_angles::{
-    ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_SHIFTED, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
+    ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_SHIFTED, CURRENT_ROTATION_TRANSPOSED,
+    QUATERNION_ORDER, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
 };
 use super::of_collada::{ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING};
 use super::of_weighted_sum::{
@@ -332,7 +333,7 @@ pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 33] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 35] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -365,5 +366,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 33] = [
     &OFFSET_NOT_TURNED,
     &WRONG_INVERSE,
     &ROTATION_REPEATED,
+    &CURRENT_ROTATION_TRANSPOSED,
+    &QUATERNION_ORDER,
     &ANGLE_REPEATED,
 ];

@@ -1291,3 +1291,64 @@ fn a_coarse_pi_is_named_beside_another_mistake() {
         }
     }
 }
+
+/// A transform whose rotation is that of other numbers.
+fn reordered(transform: Mat4, order: fn(Quat) -> Quat) -> Mat4 {
+    let (_, rotation, place) = transform.to_scale_rotation_translation();
+    Mat4::from_rotation_translation(order(rotation), place)
+}
+
+/// The quaternion that comes of x, y, z, w taken for w, x, y, z.
+fn scalar_taken_first(q: Quat) -> Quat {
+    Quat::from_xyzw(q.y, q.z, q.w, q.x)
+}
+
+/// The quaternion that comes of w, x, y, z taken for x, y, z, w.
+fn scalar_taken_last(q: Quat) -> Quat {
+    Quat::from_xyzw(q.w, q.x, q.y, q.z)
+}
+
+#[test]
+fn numbers_of_quaternions_in_another_order_are_named_in_joints_and_in_t_alone() {
+    for (student, how) in [
+        (
+            Student {
+                keep_rotation: |rotation| reordered(rotation, scalar_taken_first),
+                ..RIGHT
+            },
+            "a joint's own, x, y, z, w as w, x, y, z",
+        ),
+        (
+            Student {
+                keep_rotation: |rotation| reordered(rotation, scalar_taken_last),
+                ..RIGHT
+            },
+            "a joint's own, w, x, y, z as x, y, z, w",
+        ),
+        (
+            Student {
+                product: |t, b| reordered(t, scalar_taken_first) * b.inverse(),
+                ..RIGHT
+            },
+            "that of T, x, y, z, w as w, x, y, z",
+        ),
+        (
+            Student {
+                product: |t, b| reordered(t, scalar_taken_last) * b.inverse(),
+                ..RIGHT
+            },
+            "that of T, w, x, y, z as x, y, z, w",
+        ),
+    ] {
+        assert_named(&of(&student, 68), "quaternion-order", how);
+    }
+}
+
+#[test]
+fn a_t_that_turns_the_other_way_where_joints_are_right_is_named() {
+    let student = Student {
+        product: |t, b| reordered(t, Quat::conjugate) * b.inverse(),
+        ..RIGHT
+    };
+    assert_named(&of(&student, 69), "current-rotation-transposed", "");
+}

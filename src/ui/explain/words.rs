@@ -2,7 +2,8 @@
 
 use super::letters::{letter, raised};
 use crate::diagnose::{
-    AngleUnits, Chain, Divided, Factor, Formula, JointFormula, Offsets, Shaped, VertexOrder,
+    AngleUnits, Chain, Divided, Factor, Formula, JointFormula, Offsets, Rotations, Shaped,
+    VertexOrder,
 };
 use crate::ui::theme::Palette;
 use egui::text::{LayoutJob, TextFormat};
@@ -184,10 +185,11 @@ fn chained(start: &'static str, parent: &'static str, chain: Chain, own: Vec<Par
 }
 
 fn rotations(own: &JointFormula) -> Vec<Part> {
-    if own.is_transposed {
+    if own.rotations != Rotations::Exact {
+        let is_transposed = own.rotations == Rotations::Transposed;
         return vec![Part {
             text: "(Rx · Ry · Rz)",
-            above: "T",
+            above: if is_transposed { "T" } else { "" },
             mark: Mark::Changed,
         }];
     }
