@@ -29,7 +29,8 @@ fn mistakes_that_a_pose_does_not_tell_apart_are_all_named_the_most_telling_first
             ["rotation-transposed"],
             ["angles-negated"],
             ["sign-flipped-z"],
-            ["wrong-inverse"]
+            ["wrong-inverse"],
+            ["current-rotation-transposed"]
         ]
     );
     let told = flipped.to_string();
