@@ -3,29 +3,26 @@
 use super::formula::{AnglesOf, Rotations};
 use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
+/// The ways to use angles about other axes: those that are used about X, Y and Z, 0 for that about X.
+macro_rules! axes {
+    ($($how:literal = $axes:expr),+) => {
+        &[$(reading($how, |formula| formula.joint.axes = $axes)),+]
+    };
+}
+
 /// A mistake with the angles about the axes.
 pub(super) static ANGLES_EXCHANGED: Mistake = Mistake {
     id: "angles-exchanged",
     meaning: "angles are used about other axes than their own",
     section: SLIDERS,
     look_at: "where angles come to setJointTransform: which slider or number is about which axis",
-    readings: &[
-        reading("those about x and y are exchanged", |formula| {
-            formula.joint.axes = [1, 0, 2];
-        }),
-        reading("those about y and z are exchanged", |formula| {
-            formula.joint.axes = [0, 2, 1];
-        }),
-        reading("those about x and z are exchanged", |formula| {
-            formula.joint.axes = [2, 1, 0];
-        }),
-        reading("that about x about y, y about z, z about x", |formula| {
-            formula.joint.axes = [2, 0, 1];
-        }),
-        reading("that about x about z, y about x, z about y", |formula| {
-            formula.joint.axes = [1, 2, 0];
-        }),
-    ],
+    readings: axes!(
+        "those about x and y are exchanged" = [1, 0, 2],
+        "those about y and z are exchanged" = [0, 2, 1],
+        "those about x and z are exchanged" = [2, 1, 0],
+        "that about x about y, y about z, z about x" = [2, 0, 1],
+        "that about x about z, y about x, z about y" = [1, 2, 0]
+    ),
 };
 
 /// A mistake with one angle. Where a pose has few angles others give the same, so it is tried after them.
@@ -34,35 +31,17 @@ pub(super) static ANGLE_REPEATED: Mistake = Mistake {
     meaning: "one angle is used about several axes, in the place of others",
     section: SLIDERS,
     look_at: "setJointTransform and where angles come to it: each of the three rotations has an angle of its own",
-    readings: &[
-        reading("that about x about x and y", |formula| {
-            formula.joint.axes = [0, 0, 2];
-        }),
-        reading("that about x about x and z", |formula| {
-            formula.joint.axes = [0, 1, 0];
-        }),
-        reading("that about y about x and y", |formula| {
-            formula.joint.axes = [1, 1, 2];
-        }),
-        reading("that about y about y and z", |formula| {
-            formula.joint.axes = [0, 1, 1];
-        }),
-        reading("that about z about x and z", |formula| {
-            formula.joint.axes = [2, 1, 2];
-        }),
-        reading("that about z about y and z", |formula| {
-            formula.joint.axes = [0, 2, 2];
-        }),
-        reading("that about x about all three", |formula| {
-            formula.joint.axes = [0; 3];
-        }),
-        reading("that about y about all three", |formula| {
-            formula.joint.axes = [1; 3];
-        }),
-        reading("that about z about all three", |formula| {
-            formula.joint.axes = [2; 3];
-        }),
-    ],
+    readings: axes!(
+        "that about x about x and y" = [0, 0, 2],
+        "that about x about x and z" = [0, 1, 0],
+        "that about y about x and y" = [1, 1, 2],
+        "that about y about y and z" = [0, 1, 1],
+        "that about z about x and z" = [2, 1, 2],
+        "that about z about y and z" = [0, 2, 2],
+        "that about x about all three" = [0; 3],
+        "that about y about all three" = [1; 3],
+        "that about z about all three" = [2; 3]
+    ),
 };
 
 /// A mistake with the angles of the joints.

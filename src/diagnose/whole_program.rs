@@ -3,6 +3,7 @@
 use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
+use super::mistake::Mistake;
 use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::search::{AT_ONCE, Explanation, Made};
@@ -31,12 +32,7 @@ pub(super) async fn find(
         if std::ptr::eq(mistake, &raw const ANGLE_REPEATED) && !found.is_empty() {
             continue;
         }
-        for reading in mistake.readings {
-            let mut formula = alone.formula();
-            (reading.make)(&mut formula);
-            let made = Made { mistake, reading };
-            found.extend(alone.made_by(&formula, made, pace).await);
-        }
+        found.extend(made_by(mistake, alone, pace).await);
     }
     // Where each joint turns about one axis, rotations that are made twice are angles that are twice as large.
     let is_repeated = |found: &Explanation| found.ids() == [ROTATION_REPEATED.id];
@@ -55,6 +51,24 @@ pub(super) async fn find(
     found
 }
 
+/// The ways to make a mistake of such a character that give the mesh.
+async fn made_by(
+    mistake: &'static Mistake,
+    alone: &MadeAlone<'_>,
+    pace: &Pace,
+) -> Vec<Explanation> {
+    let mut found = Vec::new();
+    for reading in mistake.readings {
+        let mut formula = alone.formula();
+        (reading.make)(&mut formula);
+        if formula.is_of(alone.search.model.character) {
+            let made = Made { mistake, reading };
+            found.extend(alone.made_by(&formula, made, pace).await);
+        }
+    }
+    found
+}
+
 /// The mistakes that give the mesh beside another one, or beside none where that is right. One in how roots are moved is none
 /// where no root is.
 pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
@@ -66,14 +80,7 @@ pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanati
         if std::ptr::eq(mistake, &raw const ROOT_NOT_MOVED) && !moves_root {
             continue;
         }
-        for reading in mistake.readings {
-            let mut formula = alone.formula();
-            (reading.make)(&mut formula);
-            if formula.is_of(model.character) {
-                let made = Made { mistake, reading };
-                found.extend(alone.made_by(&formula, made, pace).await);
-            }
-        }
+        found.extend(made_by(mistake, alone, pace).await);
     }
     found
 }

@@ -70,6 +70,23 @@ impl Pasted {
             .collect();
         (before.with_joints_of(&pose, &joints), Some(joints))
     }
+
+    /// That these joints alone get it.
+    pub(super) fn told(&self, skeleton: &SkeletalModel, joints: &[usize]) -> String {
+        let onto = match joints {
+            &[joint] => format!("{} alone", skeleton.joints()[joint].name),
+            joints => format!("{} joints", joints.len()),
+        };
+        let mirrored = match self.sides {
+            Sides::AsTheyAre => "",
+            Sides::Exchanged => "mirrored ",
+        };
+        let why = match self.as_copied {
+            true => ", as copied",
+            false => "; with no joint selected, onto all",
+        };
+        format!("Pasted {mirrored}onto {onto}{why}")
+    }
 }
 
 /// A pose of which some joints were put on the clipboard. Its text has all of them, for other windows.
@@ -142,14 +159,12 @@ impl Program {
 
     /// Puts the pose of the character `shape` on the clipboard, of which `joints` alone are meant if there are any.
     pub(super) fn copy_pose(&mut self, shape: ShapeId, joints: Vec<usize>, host: &mut dyn Host) {
-        let Some(text) = self.pose_text(shape, None) else {
+        let scene = self.session.scene();
+        let of = scene.shape(shape).zip(scene.character(shape));
+        let Some(((of, character), text)) = of.zip(self.pose_text(shape, None)) else {
             return;
         };
         host.copy_text(text.clone());
-        let scene = self.session.scene();
-        let Some((of, character)) = scene.shape(shape).zip(scene.character(shape)) else {
-            return;
-        };
         let all = character.character.skeleton().joints();
         let joints: Vec<(usize, String)> = joints
             .into_iter()

@@ -6,7 +6,7 @@ use super::document_file::DocumentFile;
 use super::reading::Use;
 use super::running::Program;
 use super::{Host, Previous};
-use crate::character::{Pose, SkeletalModel};
+use crate::character::Pose;
 use crate::editor::{Edit, Severity, View, set_beside_each_other};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
@@ -273,10 +273,7 @@ impl Program {
                         let text = "The pose on the clipboard is of joints that this character does not have";
                         return self.tell(Severity::Warning, text);
                     }
-                    Some(joints) => {
-                        let told = pasted_onto(skeleton, &joints, pasted);
-                        Some((Severity::Info, told))
-                    }
+                    Some(joints) => Some((Severity::Info, pasted.told(skeleton, &joints))),
                     None if missing.is_empty() => None,
                     None => Some((Severity::Warning, without(path, &missing))),
                 };
@@ -358,22 +355,6 @@ pub(super) fn file_stem(name: &str) -> String {
     match stem.trim_matches('-') {
         "" => "shape".to_owned(),
         stem => stem.to_owned(),
-    }
-}
-
-/// That a pose was given to these joints alone, which are those it was copied of or those that are selected.
-fn pasted_onto(skeleton: &SkeletalModel, joints: &[usize], pasted: &Pasted) -> String {
-    let onto = match joints {
-        &[joint] => format!("{} alone", skeleton.joints()[joint].name),
-        joints => format!("{} joints", joints.len()),
-    };
-    let mirrored = match pasted.sides {
-        Sides::AsTheyAre => "",
-        Sides::Exchanged => "mirrored ",
-    };
-    match pasted.as_copied {
-        true => format!("Pasted {mirrored}onto {onto}, as copied"),
-        false => format!("Pasted {mirrored}onto {onto}; with no joint selected, onto all"),
     }
 }
 

@@ -175,10 +175,10 @@ impl Program {
         }
         // Under a hand that is about to move what was added, the view stands still, and so it does beside a picture,
         // unless that was there before everything else and says nothing about the camera.
+        let has_camera = |it: &Comparison| it.looks.0 == Look::Course || it.is_cut;
         let compared = self.comparison.as_ref();
-        let is_free = |it: &Comparison| it.looks.0 != Look::Course && !it.is_cut;
-        let is_compared = compared.is_some_and(|it| first.is_none() || !is_free(it));
-        if is_compared || self.ui.is_beginning() {
+        let stands_still = compared.is_some_and(|it| first.is_none() || has_camera(it));
+        if stands_still || self.ui.is_beginning() {
             return;
         }
         if first.is_some() {

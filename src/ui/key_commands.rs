@@ -157,7 +157,8 @@ pub(super) fn ignores_typed(ctx: &egui::Context, state: &mut UiState, now: f64) 
     let is_ignored = is_ignored(state.refused_at, now);
     let is_typed = |event: &egui::Event| {
         use egui::Event::Key;
-        matches!(event, Key { key, pressed: true, modifiers, .. } if modifiers.is_none() && Typed::is_typed(*key))
+        matches!(event, Key { key, pressed: true, modifiers, .. }
+            if !modifiers.command && !modifiers.alt && Typed::is_typed(*key))
     };
     if is_ignored && ctx.input(|input| input.events.iter().any(is_typed)) {
         state.refused_at = Some(now);
@@ -235,13 +236,11 @@ pub(super) fn press(
     if !is_there(command, input) {
         return;
     }
-    if is_ignored(state.refused_at.take(), pressed.at)
-        && pressed.is_plain
-        && Typed::is_typed(pressed.key)
-    {
-        state.refused_at = Some(pressed.at);
+    let is_typed = pressed.is_plain && Typed::is_typed(pressed.key);
+    if is_typed && is_ignored(state.refused_at, pressed.at) {
         return;
     }
+    state.refused_at = None;
     // Typed for an axis of a drag that a locked or hidden shape has refused.
     let is_any = |what: fn(&Shape) -> bool| session.selected_shapes().any(what);
     if command == Command::Delete && pressed.key == egui::Key::X {

@@ -404,3 +404,25 @@ fn r_pressed_twice_says_that_there_is_no_trackball() {
     editor.key(Key::Escape);
     assert!(editor.character().pose().is_bind());
 }
+
+#[test]
+fn a_drag_that_scales_a_figure_says_that_this_stays_on_its_ground() {
+    let mut editor = in_blender(Editor::with_figure());
+    editor.harness.state_mut().gestures = true;
+    for (look, is_told) in [(Look::Studio, true), (Look::Course, false)] {
+        editor.view(View::SetLook(look));
+        let figure = editor.session().evaluated().shapes[0].world_bounds();
+        assert!(figure.min.y != 0.0, "its origin is not on the ground");
+        let from = editor.harness.state().view.center();
+        editor.harness.hover_at(from);
+        editor.settle();
+        for key in [Key::S, Key::Num2] {
+            editor.key(key);
+        }
+        let painted = editor.painted_over_view();
+        let readout = painted.iter().find(|text| text.starts_with("× 2|"));
+        let readout = readout.unwrap_or_else(|| panic!("{painted:?}"));
+        assert_eq!(readout.contains("on its ground"), is_told, "{readout}");
+        editor.key(Key::Escape);
+    }
+}

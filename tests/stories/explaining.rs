@@ -324,6 +324,8 @@ fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
     assert!(story.has_text("Step 7 of 9: pop: all that hangs on Elbow is done, take its T off"));
     assert!(story.has("Elbow, drawn") && story.has("Hip, on the stack"));
     assert_eq!(story.session().hovered_joint(), Some(2));
+    // The pointer is on the button, and not on the joint that this has lit.
+    assert!(named(&story, "Click to select the joint").is_empty());
     for _ in 0..2 {
         story.click("Back");
     }

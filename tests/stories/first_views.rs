@@ -412,14 +412,13 @@ fn a_head_and_a_gem_a_curve_and_the_lizard_are_whole_too() {
 fn what_reaches_wide_is_fitted_clear_of_the_switch_of_the_looks() {
     let mut story = start(&["builtin:robot"]);
     let size = story.view().size();
-    for (file, key) in [("builtin:robot", Key::F), ("builtin:adult", Key::F)] {
+    for file in ["builtin:robot", "builtin:adult"] {
         story.import(file);
-        story.key_with(Modifiers::SHIFT, key);
-        let switch = story.place("Course look");
-        let corner = egui::Rect::from_two_pos(
-            switch - story.view().min.to_vec2() - vec2(20.0, 0.0),
-            pos2(size.x, 0.0),
-        );
+        story.key_with(Modifiers::SHIFT, Key::F);
+        let button = story.node("Course look").and_then(|node| node.bounds());
+        let button = button.expect("it has a place");
+        let lower_left = pos2(button.x0 as f32, button.y1 as f32) - story.view().min.to_vec2();
+        let corner = egui::Rect::from_two_pos(lower_left, pos2(size.x, 0.0));
         let reaches = |shape: &Shape| story.pixels(shape).any(|pixel| corner.contains(pixel));
         assert!(!story.session().scene().shapes().iter().any(reaches));
     }

@@ -525,6 +525,25 @@ fn of_selected_bones_these_alone_are_copied_and_pasted_in_the_blender_navigation
     select(&mut story, second, vec![]);
     paste(&mut story);
     assert_eq!(elbows(&story), [50.0, 30.0]);
+    // One without such a joint says so, and stays as it is.
+    story.host.drop_file("builtin:robot");
+    story.settle();
+    let robot = story.session().scene().shapes()[2].id;
+    let antenna = story.joint("Antenna");
+    for joint in [antenna, story.joint("Left elbow")] {
+        turn(&mut story, robot, joint, 40.0);
+    }
+    select(&mut story, robot, vec![antenna]);
+    story.frame(vec![Event::Copy]);
+    select(&mut story, second, vec![]);
+    let before = story.session().document();
+    paste(&mut story);
+    let (_, told) = *story.messages().last().expect("why nothing is pasted");
+    assert_eq!(
+        told,
+        "The pose on the clipboard is of joints that this character does not have"
+    );
+    assert_eq!(story.session().document(), before);
     // With no joint selected when it is copied, all of it is.
     select(&mut story, first, vec![]);
     story.frame(vec![Event::Copy]);

@@ -8,6 +8,7 @@ mod evidence;
 mod finding;
 mod finding_words;
 mod highlight;
+mod lines;
 mod outline;
 mod placed;
 

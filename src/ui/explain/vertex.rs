@@ -107,8 +107,8 @@ impl ExplainState {
 }
 
 /// Picks the vertex of a character that is clicked in the view, and selects that character, unless the
-/// click is on a bone, which `selects` itself, and beside which the nearest vertex is meant; whether one was. With Ctrl or Shift a click is about the
-/// selection alone.
+/// click is on a bone, which `selects` itself, and beside which the nearest vertex is meant; whether one was. With Ctrl or
+/// Shift a click is about the selection alone.
 pub(in crate::ui) fn pointer(
     view: &Response,
     places: &ScenePlaces,

@@ -1,5 +1,6 @@
 //! The tools Pose, IK, Move, Rotate and Scale: gestures with bones, gizmos and shapes in the view.
 
+mod amount;
 mod held;
 mod ik;
 mod paint;
