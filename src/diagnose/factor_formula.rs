@@ -42,6 +42,8 @@ pub enum Factors {
     EachTransposed,
     /// Tᵀ · B⁻¹.
     CurrentTransposed,
+    /// T · B₁⁻¹, where B₁ is that of the first joint of the vertex for all of them.
+    InverseBindOfFirst,
     /// T · B⁻ᵀ.
     InverseBindTransposed,
     /// The same with the file's inverse bind matrix transposed.
@@ -69,6 +71,8 @@ pub enum Factor {
     Bind,
     /// B⁻¹, from model space to the joint's frame in the bind pose.
     InverseBind,
+    /// B₁⁻¹, that of the first joint with a weight.
+    InverseBindOfFirst,
     /// Tᵀ.
     CurrentTransposed,
     /// B⁻ᵀ.
@@ -102,6 +106,7 @@ impl Factors {
     pub fn in_order(self) -> &'static [Factor] {
         match self {
             Self::Exact => &[Factor::InverseBind, Factor::Current],
+            Self::InverseBindOfFirst => &[Factor::InverseBindOfFirst, Factor::Current],
             Self::NoInverseBind => &[Factor::Current],
             Self::NoInverseBindOfFile => {
                 &[Factor::ToFile, Factor::DirectionsInFile, Factor::Current]

@@ -176,7 +176,7 @@ impl<'a> Joints<'a> {
         self.frames.and_then(shape).unwrap_or_default()
     }
 
-    /// A matrix of `joint`.
+    /// A matrix of `joint`, which is the first one of the vertex for a factor that is of that.
     pub(super) fn matrix(&self, factor: Factor, joint: usize) -> DMat4 {
         let (current, bind) = (self.current[joint], self.bind[joint]);
         let of_file = |matrix: &dyn Fn(&FileFrames) -> Option<DMat4>| {
@@ -187,7 +187,7 @@ impl<'a> Joints<'a> {
             Factor::Current if current == DAffine3::ZERO => DMat4::ZERO,
             Factor::Current => current.into(),
             Factor::Bind => bind.into(),
-            Factor::InverseBind => bind.inverse().into(),
+            Factor::InverseBind | Factor::InverseBindOfFirst => bind.inverse().into(),
             Factor::CurrentTransposed => DMat4::from(current).transpose(),
             Factor::BindTransposed => DMat4::from(bind).transpose(),
             Factor::InverseCurrent => current.inverse().into(),
@@ -223,11 +223,32 @@ impl<'a> Joints<'a> {
         self.order.get(place).copied()
     }
 
-    /// What moves vertices, by the index that a weight has.
+    /// What moves vertices, by the index that a weight has, after what the first joint of a vertex does to all of it.
     pub(super) fn palette(&self, formula: &Formula) -> Vec<Option<DMat4>> {
+        match formula.factors.in_order() {
+            [Factor::InverseBindOfFirst, others @ ..] => {
+                self.products(formula, others, DMat4::IDENTITY)
+            }
+            all => self.products(formula, all, self.shape(formula)),
+        }
+    }
+
+    /// What the joint of the first weight does to a vertex for all of them, by the index that the weight has; `None` if each
+    /// joint does it for itself.
+    pub(super) fn of_first(&self, formula: &Formula) -> Option<Vec<Option<DMat4>>> {
+        match formula.factors.in_order() {
+            [first @ Factor::InverseBindOfFirst, ..] => {
+                Some(self.products(formula, std::slice::from_ref(first), self.shape(formula)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The product of `factors`, which come to what `begin` leaves, by the index that a weight has.
+    fn products(&self, formula: &Formula, factors: &[Factor], begin: DMat4) -> Vec<Option<DMat4>> {
         let product = |joint: usize| {
-            let factors = formula.factors.in_order().iter();
-            factors.fold(self.shape(formula), |product, &factor| {
+            let factors = factors.iter();
+            factors.fold(begin, |product, &factor| {
                 self.matrix(factor, joint) * product
             })
         };

@@ -15,6 +15,9 @@ const ROWS: &str = "where the skin is read: <vcount> says how many pairs of numb
 /// Where the matrix of a bone is that the shader is given.
 const BONE_MATRICES: &str = "the matrix that the shader is given for a bone: its transform in the pose · its inverse bind \
                              matrix, which comes first to the vertex and so stands on the right";
+/// Where the vertex gets into the frames of bones.
+const OWN_FRAMES: &str = "the vertex shader: each bone moves the vertex from its own frame, to which its own inverse bind matrix \
+                          leads; where the shader is given the vertex in the frames of four bones, each goes with its bone";
 /// Where matrices are filled.
 const TRANSPOSED: &str = "wherever a matrix is filled: Collada writes rows one after the other, WebGL takes columns; and \
                           the vertex is a column on the right of the matrix";
@@ -61,6 +64,7 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
         ],
         Some(BONE_MATRICES),
     ),
+    (&["inverse-bind-shared"], Some(OWN_FRAMES)),
     (&["matrix-transposed"], Some(TRANSPOSED)),
     (&["pose-not-applied"], Some(POSE)),
     (

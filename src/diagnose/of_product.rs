@@ -36,6 +36,16 @@ pub(super) const INVERSE_BIND_ONLY: Mistake = Mistake {
     readings: &[way!("", factors = Factors::InverseBindOnly)],
 };
 
+/// A mistake with the inverse of B, which a vertex has to be multiplied by for each of its joints.
+pub(super) static INVERSE_BIND_SHARED: Mistake = Mistake {
+    id: "inverse-bind-shared",
+    meaning: "the inverse of B of a vertex's first joint is used for all of its joints",
+    section: SSD,
+    look_at: "updateMeshVertices: T and the inverse of B are those of the same joint, and both change from one joint of the \
+              sum to the next",
+    readings: &[way!("", factors = Factors::InverseBindOfFirst)],
+};
+
 /// B for its inverse.
 pub(super) const BIND_NOT_INVERTED: Mistake = Mistake {
     id: "bind-not-inverted",

@@ -154,15 +154,22 @@ pub(super) static SUM_DIVIDED: Mistake = Mistake {
 /// A mistake in the type of weights.
 pub(super) static WEIGHTS_ROUNDED: Mistake = Mistake {
     id: "weights-rounded",
-    meaning: "weights are whole numbers",
+    meaning: "weights are rounded",
     section: SSD,
-    look_at: "where the .attach file is read: weights are float, and no int, up to the sum",
+    look_at: "where the .attach file is read: weights are float, and no int, up to the sum, and keep all their digits \
+              where they are written on the way",
     readings: &[
-        reading("rounded down", |formula| {
-            formula.weights.rounded = Rounded::Down
+        reading("down to whole numbers", |formula| {
+            formula.weights.rounded = Rounded::Down;
         }),
-        reading("rounded to the nearest", |formula| {
-            formula.weights.rounded = Rounded::ToNearest;
+        reading("to the nearest whole number", |formula| {
+            formula.weights.rounded = Rounded::ToDigits(0);
+        }),
+        reading("to one digit after the point", |formula| {
+            formula.weights.rounded = Rounded::ToDigits(1);
+        }),
+        reading("to two digits after the point", |formula| {
+            formula.weights.rounded = Rounded::ToDigits(2);
         }),
     ],
 };

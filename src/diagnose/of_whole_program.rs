@@ -8,6 +8,7 @@ use super::of_angles::{
     QUATERNION_ORDER, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
 };
 use super::of_collada::{ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING};
+use super::of_product::INVERSE_BIND_SHARED;
 use super::of_weighted_sum::{
     INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT, SUM_BEGUN_AT_REST,
     SUM_DIVIDED, SUM_OVERWRITTEN, WEIGHTS_IGNORED, WEIGHTS_ROUNDED, WRONG_INVERSE,
@@ -333,7 +334,7 @@ pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 35] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 36] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -365,6 +366,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 35] = [
     &PARENT_ROTATION_ORDER,
     &OFFSET_NOT_TURNED,
     &WRONG_INVERSE,
+    &INVERSE_BIND_SHARED,
     &ROTATION_REPEATED,
     &CURRENT_ROTATION_TRANSPOSED,
     &QUATERNION_ORDER,

@@ -14,6 +14,8 @@ pub(super) struct Skinner<'a> {
     formula: Formula,
     /// What moves vertices, by the index that a weight has; `None` for an index without a joint.
     palette: Vec<Option<DMat4>>,
+    /// What the joint of the first weight does to a vertex before all of them, if that is so.
+    of_first: Option<Vec<Option<DMat4>>>,
     kept: Vec<(usize, f64)>,
 }
 
@@ -78,9 +80,11 @@ impl<'a> Skinner<'a> {
         pose: &Pose,
         formula: &Formula,
     ) -> Self {
+        let joints = Joints::after(model, before, pose, formula);
         Self {
             model,
-            palette: Joints::after(model, before, pose, formula).palette(formula),
+            palette: joints.palette(formula),
+            of_first: joints.of_first(formula),
             formula: formula.clone(),
             kept: Vec::new(),
         }
@@ -108,7 +112,8 @@ impl<'a> Skinner<'a> {
             .iter()
             .filter_map(|&(index, weight)| Some(DMat3::from_mat4(self.palette[index]?) * weight));
         let begun = DMat3::IDENTITY * self.begun(&self.kept);
-        let once = parts.fold(begun, |sum, part| sum + part);
+        let before = DMat3::from_mat4(self.before_all(&self.kept));
+        let once = parts.fold(begun, |sum, part| sum + part * before);
         let moved = if self.formula.moves_twice {
             once * once
         } else {
@@ -150,12 +155,21 @@ impl<'a> Skinner<'a> {
     /// The weighted sum of where joints move `bind`, from where the formula begins it.
     fn sum_once(&self, bind: DVec3, weights: &[(usize, f64)]) -> DVec3 {
         let divided = self.formula.divided;
+        let vertex = self.before_all(weights) * bind.extend(1.0);
         let moved = weights.iter().filter_map(|&(index, weight)| {
-            Some(divided.each(self.palette[index]? * bind.extend(1.0)) * weight)
+            Some(divided.each(self.palette[index]? * vertex) * weight)
         });
         let sum: DVec4 = moved.sum();
         let begun = bind * self.begun(weights);
         begun + sum.xyz() * divided.factor(sum)
+    }
+
+    /// What comes to a vertex with these `weights` before the matrices of its joints.
+    fn before_all(&self, weights: &[(usize, f64)]) -> DMat4 {
+        let of_first = self.of_first.as_ref().zip(weights.first());
+        of_first
+            .and_then(|(matrices, &(index, _))| matrices[index])
+            .unwrap_or_default()
     }
 
     /// How many times the vertex at rest is in what the sum of these `weights` begins with.

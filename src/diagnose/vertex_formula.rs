@@ -75,12 +75,19 @@ impl VertexFormula {
         let mut kept = Vec::new();
         keep(influences, formula.weights, &mut kept);
         kept.sort_by_key(|&(index, _)| index);
+        let first = kept
+            .first()
+            .and_then(|&(index, _)| joints.moved_by(formula.weights.columns, index));
         let mut whole = DVec4::ZERO;
         let term = |&(index, weight): &(usize, f64)| {
             let joint = joints.moved_by(formula.weights.columns, index)?;
             let mut at = shaped;
             let step = |&factor: &Factor| {
-                let matrix = joints.matrix(factor, joint);
+                let of = match factor {
+                    Factor::InverseBindOfFirst => first.unwrap_or(joint),
+                    _ => joint,
+                };
+                let matrix = joints.matrix(factor, of);
                 at = matrix * at;
                 Step {
                     factor,

@@ -21,15 +21,15 @@ pub struct WeightFormula {
     pub factor: f64,
 }
 
-/// Whole numbers for weights.
+/// Numbers with fewer digits for weights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounded {
     /// Weights are as they are.
     No,
-    /// The next one below.
+    /// The next whole number below.
     Down,
-    /// The nearest one.
-    ToNearest,
+    /// The nearest one with so many digits after the point.
+    ToDigits(i32),
 }
 
 impl Rounded {
@@ -37,7 +37,11 @@ impl Rounded {
         match self {
             Self::No => weight,
             Self::Down => weight.floor(),
-            Self::ToNearest => weight.round(),
+            Self::ToDigits(digits) => {
+                // As programs do it, in single precision: which way halves go depends on that.
+                let scale = 10_f32.powi(digits);
+                f64::from((weight as f32 * scale).round() / scale)
+            }
         }
     }
 }

@@ -91,7 +91,7 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
     match edit {
         Edit::Together(edits) => carry_out_all(scene, edits)?,
         Edit::Open(shapes) => *scene = shapes.into_iter().collect(),
-        Edit::Insert(shapes) => scene.extend(shapes),
+        Edit::Insert(shapes) | Edit::Paste(shapes) => scene.extend(shapes),
         Edit::Delete(id) => drop(scene.delete(id)),
         Edit::Reset(id) => scene.reset(id),
         Edit::SetTransform(id, to) => on_shape(scene, id, |s| s.placement.transform = to),

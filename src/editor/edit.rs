@@ -18,6 +18,8 @@ pub enum Edit {
     Open(Vec<NewShape>),
     /// Appends shapes to the list.
     Insert(Vec<NewShape>),
+    /// The same with shapes from the clipboard, which the step's name tells.
+    Paste(Vec<NewShape>),
     /// Deletes a shape.
     Delete(ShapeId),
     /// Restores the placement and color that the shape started with, and the bind pose of a

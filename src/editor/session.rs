@@ -2,7 +2,7 @@ use super::apply::{EditError, apply};
 use super::history::{History, State};
 use super::messages::{Messages, Severity};
 use super::selection::Selection;
-use super::step_name::step_name;
+use super::step_name::{pasting_name, step_name};
 use super::{Change, Edit, View};
 use crate::revision::Revision;
 use crate::scene::{
@@ -104,6 +104,7 @@ impl Session {
         let place = self.selected().and_then(|id| self.index_of(id));
         let before = self.present();
         let selection = self.selection.clone();
+        let pasted = matches!(edit, Edit::Paste(_));
         let change = apply(&mut self.scene, edit)?;
         if change.is_nothing() {
             return Ok(change);
@@ -133,7 +134,10 @@ impl Session {
             self.gesture = None;
             self.history = History::new(self.opened.clone());
         } else if self.gesture.is_none() {
-            self.record(before, selection);
+            match pasted {
+                true => self.record_as(pasting_name(&self.scene, &change), selection),
+                false => self.record(&before, selection),
+            }
         } else if !change.added.is_empty() || !change.removed.is_empty() {
             // A gesture is about shapes that exist from its beginning to its end.
             self.commit_gesture();
@@ -310,13 +314,18 @@ impl Session {
         self.evaluate();
     }
 
-    /// Makes the change from an earlier state a step that can be undone. A scene that is as it was
+    /// Makes the change from an earlier state a step that can be undone, named for its result.
+    fn record(&mut self, before: &State, selection: Selection) {
+        let name = step_name(&before.scene, &self.scene);
+        self.record_as(name, selection);
+    }
+
+    /// Makes the change to the present scene a step that can be undone. A scene that is as it was
     /// opened has that revision again.
-    fn record(&mut self, before: State, selection: Selection) {
+    fn record_as(&mut self, name: String, selection: Selection) {
         if self.scene.is_back_at(&self.opened.scene) {
             self.document = self.opened.document;
         }
-        let name = step_name(&before.scene, &self.scene);
         let present = self.present();
         let after = self.selection.clone();
         self.history.push(name, selection, after, present);

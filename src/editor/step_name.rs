@@ -41,6 +41,17 @@ pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
     }
 }
 
+/// Name of the step that adds shapes from the clipboard.
+pub(super) fn pasting_name(after: &Scene, change: &Change) -> String {
+    match &*change.added {
+        &[added] => {
+            let name = after.shape(added).map_or("", |shape| &shape.name);
+            format!("Paste {name}")
+        }
+        added => format!("Paste {} shapes", added.len()),
+    }
+}
+
 fn inserted(shape: &Shape, before: &Scene) -> String {
     let from_file = shape.source.as_ref().is_some_and(|s| !s.is_builtin());
     let mut others = before.shapes().iter();

@@ -295,7 +295,7 @@ impl Program {
     pub(super) fn insert_pasted(&mut self, loaded: Loaded) {
         let mut shapes = loaded.shapes;
         set_apart(&self.session, &mut shapes);
-        self.edit(Edit::Insert(shapes));
+        self.edit(Edit::Paste(shapes));
         self.tell_all(Severity::Warning, loaded.warnings);
     }
 }

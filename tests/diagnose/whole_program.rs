@@ -721,19 +721,56 @@ fn small_weights_that_are_left_out_are_named_with_the_number_below_which_they_ar
 }
 
 #[test]
-fn weights_that_are_whole_numbers_are_named() {
+fn weights_that_are_rounded_are_named() {
     for (row, how) in [
         (
             (|row| row.iter().map(|weight| weight.floor()).collect()) as fn(&[f32]) -> Vec<f32>,
-            "rounded down",
+            "down to whole numbers",
         ),
         (
             |row| row.iter().map(|weight| weight.round()).collect(),
-            "rounded to the nearest",
+            "to the nearest whole number",
+        ),
+        (
+            |row| {
+                row.iter()
+                    .map(|weight| (weight * 10.0).round() / 10.0)
+                    .collect()
+            },
+            "to one digit after the point",
+        ),
+        (
+            |row| {
+                row.iter()
+                    .map(|weight| (weight * 100.0).round() / 100.0)
+                    .collect()
+            },
+            "to two digits after the point",
         ),
     ] {
         assert_named(&of(&Student { row, ..RIGHT }, 82), "weights-rounded", how);
     }
+}
+
+#[test]
+fn the_inverse_bind_matrix_of_the_first_joint_for_all_of_a_vertex_is_named() {
+    let figure = Figure::builtin("adult", turned(84));
+    let at_rest = |joint: usize| {
+        let line = std::iter::successors(Some(joint), |&joint| figure.parents[joint]);
+        line.map(|joint| figure.offsets[joint]).sum::<Vec3>()
+    };
+    // The first column with a weight is that of joint 1.
+    let first = |row: &Vec<f32>| row.iter().position(|weight| *weight != 0.0).unwrap() + 1;
+    let mut in_frames = Figure::builtin("adult", turned(84));
+    for (position, row) in in_frames.positions.iter_mut().zip(&figure.rows) {
+        *position -= at_rest(first(row));
+    }
+    let without = Student {
+        product: |t, _| t,
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&without.skin(&in_frames), 6));
+    assert_named(&found, "inverse-bind-shared", "");
 }
 
 #[test]

@@ -302,6 +302,16 @@ fn shapes_go_over_the_clipboard_from_window_to_window_with_pose_and_place() {
             "{place}"
         );
     }
+    let steps: Vec<&str> = other.session().steps().collect();
+    assert_eq!(steps, ["Paste Strip", "Paste Strip"], "not imported");
+    let copies = |story: &mut Story, key| {
+        story.key_with(CTRL, key);
+        story.session().selected_shapes().count()
+    };
+    assert_eq!(copies(&mut other, Key::A), 2);
+    other.frame(vec![Event::Copy]);
+    assert_eq!(copies(&mut other, Key::V), 2);
+    assert_eq!(other.session().steps().last(), Some("Paste 2 shapes"));
     story.key_with(CTRL, Key::Z);
     assert_eq!(story.names(), ["Strip"], "the cut is taken back");
 }

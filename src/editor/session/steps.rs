@@ -41,7 +41,7 @@ impl Session {
             if state.scene == self.scene {
                 self.document = state.document;
             } else {
-                self.record(state, selection);
+                self.record(&state, selection);
             }
         }
     }
@@ -56,7 +56,7 @@ impl Session {
             None => self.restore(&gesture.state),
             Some(state) => {
                 self.restore(&state);
-                self.record(gesture.state, gesture.selection);
+                self.record(&gesture.state, gesture.selection);
             }
         }
     }

@@ -8,6 +8,7 @@ pub(super) fn letter(factor: Factor) -> (&'static str, &'static str) {
         Factor::Current => ("T", ""),
         Factor::Bind => ("B", ""),
         Factor::InverseBind | Factor::InverseBindOfFile => ("B", "-1"),
+        Factor::InverseBindOfFirst => ("B₁", "-1"),
         Factor::CurrentTransposed => ("T", "T"),
         Factor::InverseBindTransposed | Factor::InverseBindOfFileTransposed => ("B", "-T"),
         Factor::BindTransposed => ("B", "T"),
