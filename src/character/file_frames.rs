@@ -11,6 +11,9 @@ pub struct FileFrames {
     /// The skin's own matrix, which places the mesh (`bind_shape_matrix`); `None` where that changes nothing, or several
     /// skins have different ones.
     pub bind_shape: Option<DMat4>,
+    /// The joints in the skin's own list, in which numbers of weights count; empty where several skins have different lists,
+    /// or one names what is no joint.
+    pub skin_joints: Vec<usize>,
 }
 
 impl FileFrames {
@@ -19,6 +22,12 @@ impl FileFrames {
     pub fn directions(&self, joint: usize) -> Option<DMat4> {
         let model_from_joint = self.model_from_joint.get(joint)?;
         Some(DMat4::from_mat3(DMat3::from_mat4(*model_from_joint)))
+    }
+
+    /// Whether the skin's own list has the joints otherwise than all joints one after the other, from whichever on.
+    pub fn has_other_numbers(&self) -> bool {
+        let mut pairs = self.skin_joints.windows(2);
+        pairs.any(|pair| pair[1] != pair[0] + 1)
     }
 
     /// The inverse bind matrix of `joint` (`INV_BIND_MATRIX`), from the mesh as the skin places it to the joint's frame, as it

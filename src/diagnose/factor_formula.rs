@@ -48,6 +48,8 @@ pub enum Factors {
     InverseBindTransposed,
     /// The same with the file's inverse bind matrix transposed.
     InverseBindOfFileTransposed,
+    /// T · B⁻¹ with the file's inverse bind matrix of the joint whose number the weight has.
+    InverseBindOfNumber,
     /// (T · B⁻¹)ᵀ, where the inverse of B comes from the file and so leads from its axes and units.
     TransposedInFile,
     /// T · Bᵀ.
@@ -91,8 +93,20 @@ pub enum Factor {
     DirectionsInFile,
     /// The inverse bind matrix that a Collada file gives the joint.
     InverseBindOfFile,
-    /// The same transposed.
+    /// The same of the joint whose number the weight has, where that is taken for another joint's.
+    InverseBindOfNumber,
+    /// The inverse bind matrix that a Collada file gives the joint, transposed.
     InverseBindOfFileTransposed,
+}
+
+impl Factor {
+    /// The joint whose matrix it is where the weight of the joint `numbered` is taken for one of `joint`.
+    pub(super) fn joint(self, numbered: usize, joint: usize) -> usize {
+        match self {
+            Self::InverseBindOfNumber => numbered,
+            _ => joint,
+        }
+    }
 }
 
 impl Factors {
@@ -136,6 +150,12 @@ impl Factors {
             Self::InverseBindOfFileTransposed => &[
                 Factor::ToFile,
                 Factor::InverseBindOfFileTransposed,
+                Factor::DirectionsInFile,
+                Factor::Current,
+            ],
+            Self::InverseBindOfNumber => &[
+                Factor::ToFile,
+                Factor::InverseBindOfNumber,
                 Factor::DirectionsInFile,
                 Factor::Current,
             ],

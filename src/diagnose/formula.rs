@@ -3,7 +3,7 @@
 pub use super::factor_formula::{Divided, Factor, Factors, Shaped};
 pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached, Unfilled};
 pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
-use crate::character::Character;
+use crate::character::{Character, FileFrames};
 use glam::{DMat3, DQuat};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
@@ -85,6 +85,8 @@ pub struct JointFormula {
     pub angles_of: AnglesOf,
     /// Which of the pose's angles, 0 for that about X, is used about X, Y and Z.
     pub axes: [usize; 3],
+    /// How the angles are rounded first.
+    pub rounded: RoundedAngles,
     /// Factor of the angles about X, Y and Z.
     pub angles: [f64; 3],
     /// What the angles are converted to.
@@ -199,6 +201,43 @@ impl Offsets {
     }
 }
 
+/// Angles with fewer digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RoundedAngles {
+    /// Angles are as they are.
+    No,
+    /// The nearest one with so many digits after the point in degrees.
+    ToDegrees(i32),
+    /// The next whole degree towards 0.
+    TowardsZero,
+    /// The nearest one with so many digits after the point in radians.
+    ToRadians(i32),
+}
+
+impl RoundedAngles {
+    /// What becomes of an angle, in radians.
+    pub(super) fn angle(self, radians: f64) -> f64 {
+        let to_digits = |number: f64, digits: i32| {
+            let scale = 10_f64.powi(digits);
+            (number * scale).round() / scale
+        };
+        match self {
+            Self::No => radians,
+            Self::ToDegrees(digits) => to_digits(radians.to_degrees(), digits).to_radians(),
+            Self::TowardsZero => {
+                let degrees = radians.to_degrees();
+                // A whole number that lost a hair on its way through single precision is that number.
+                let whole = (degrees.abs() + A_HAIR).floor();
+                whole.copysign(degrees).to_radians()
+            }
+            Self::ToRadians(digits) => to_digits(radians, digits),
+        }
+    }
+}
+
+/// What whole degrees have lost at most that were converted to radians and back, in degrees.
+const A_HAIR: f64 = 1e-4;
+
 /// The numbers that are given to sine and cosine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AngleUnits {
@@ -266,6 +305,8 @@ pub enum JointsBy {
     Level,
     /// By the number of joints above, of equals as the file has them.
     Height,
+    /// At the number that the skin of a Collada file has for another joint.
+    SkinList,
 }
 
 /// Which vertex comes when.
@@ -298,8 +339,10 @@ impl Formula {
             let is_reached = reached.of(character.skeleton());
             is_reached.contains(&false)
         };
+        let has_list = self.joint_order.by != JointsBy::SkinList
+            || frames.is_some_and(FileFrames::has_other_numbers);
         let reaches = self.reached.is_none_or(leaves_out);
-        reaches && has_parents && (!is_of_file || frames.is_some()) && has_shape
+        reaches && has_list && has_parents && (!is_of_file || frames.is_some()) && has_shape
     }
 }
 
@@ -309,6 +352,7 @@ impl Default for Formula {
             joint: JointFormula {
                 angles_of: AnglesOf::Itself,
                 axes: [0, 1, 2],
+                rounded: RoundedAngles::No,
                 angles: [1.0; 3],
                 units: AngleUnits::Radians,
                 about: About::Model,

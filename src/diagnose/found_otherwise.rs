@@ -112,7 +112,7 @@ pub(super) static VERTEX_WITHOUT_W: Mistake = Mistake {
             formula.joint.offsets = Offsets::None;
             formula.joint.bind_offsets = Offsets::None;
         }),
-        reading("in T alone, after B⁻¹", |formula| {
+        reading("in T alone, after the inverse of B", |formula| {
             formula.joint.offsets = Offsets::None;
         }),
     ],

@@ -196,7 +196,9 @@ impl<'a> Joints<'a> {
             Factor::FromFile => of_file(&|it| Some(it.placed)),
             Factor::FromFileTransposed => of_file(&|it| Some(it.placed.transpose())),
             Factor::DirectionsInFile => of_file(&|it| it.directions(joint)),
-            Factor::InverseBindOfFile => of_file(&|it| it.inverse_bind(joint)),
+            Factor::InverseBindOfFile | Factor::InverseBindOfNumber => {
+                of_file(&|it| it.inverse_bind(joint))
+            }
             Factor::InverseBindOfFileTransposed => {
                 of_file(&|it| Some(it.inverse_bind(joint)?.transpose()))
             }
@@ -246,15 +248,12 @@ impl<'a> Joints<'a> {
 
     /// The product of `factors`, which come to what `begin` leaves, by the index that a weight has.
     fn products(&self, formula: &Formula, factors: &[Factor], begin: DMat4) -> Vec<Option<DMat4>> {
-        let product = |joint: usize| {
-            let factors = factors.iter();
-            factors.fold(begin, |product, &factor| {
-                self.matrix(factor, joint) * product
-            })
-        };
         let by_index = (0..self.order.len()).map(|index| {
-            let joint = self.moved_by(formula.weights.columns, index);
-            joint.map(product)
+            let joint = self.moved_by(formula.weights.columns, index)?;
+            let factors = factors.iter();
+            Some(factors.fold(begin, |product, &factor| {
+                self.matrix(factor, factor.joint(index, joint)) * product
+            }))
         });
         by_index.collect()
     }
@@ -378,7 +377,8 @@ impl Tree {
 impl JointFormula {
     /// The rotation of a joint from its angles in radians.
     fn rotation(&self, radians: DVec3) -> DMat3 {
-        let used = DVec3::from_array(self.axes.map(|axis| radians[axis]));
+        let rounded = radians.map(|angle| self.rounded.angle(angle));
+        let used = DVec3::from_array(self.axes.map(|axis| rounded[axis]));
         let angles = used * DVec3::from_array(self.angles);
         let angles = match self.units {
             AngleUnits::Radians => angles,

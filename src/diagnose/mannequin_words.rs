@@ -48,6 +48,7 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
             "weights-shifted-on",
             "weights-exchanged",
             "joints-by-depth",
+            "skin-list-ignored",
         ],
         Some(JOINTS),
     ),

@@ -85,7 +85,19 @@ impl<'a> Model<'a> {
             JointsBy::Depth => self.by_depth.clone(),
             JointsBy::Level => by_level(self.skeleton()),
             JointsBy::Height => self.by_height(),
+            JointsBy::SkinList => self.by_skin_list(),
         }
+    }
+
+    /// For each joint the one that its number in the skin's own list means in the list of all.
+    fn by_skin_list(&self) -> Vec<usize> {
+        let mut order = self.joints_by(JointsBy::File);
+        let frames = self.character.file_frames();
+        let list = frames.map_or(&[][..], |frames| &frames.skin_joints);
+        for (number, &joint) in list.iter().enumerate() {
+            order[joint] = number;
+        }
+        order
     }
 
     fn by_height(&self) -> Vec<usize> {

@@ -1,6 +1,6 @@
 //! Mistakes of a whole program with the angles of joints, and in how often they count.
 
-use super::formula::{AnglesOf, Rotations};
+use super::formula::{AnglesOf, Rotations, RoundedAngles};
 use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
 /// The ways to use angles about other axes: those that are used about X, Y and Z, 0 for that about X.
@@ -9,6 +9,29 @@ macro_rules! axes {
         &[$(reading($how, |formula| formula.joint.axes = $axes)),+]
     };
 }
+
+/// A mistake with the digits of angles.
+pub(super) static ANGLES_ROUNDED: Mistake = Mistake {
+    id: "angles-rounded",
+    meaning: "angles are rounded",
+    section: SLIDERS,
+    look_at: "where angles come from: sliders and files keep all their digits, while numbers that are read off a panel have \
+              fewer than the pose, of which a pose file has all",
+    readings: &[
+        reading("to one digit after the point of degrees", |formula| {
+            formula.joint.rounded = RoundedAngles::ToDegrees(1);
+        }),
+        reading("to whole degrees", |formula| {
+            formula.joint.rounded = RoundedAngles::ToDegrees(0);
+        }),
+        reading("towards 0 to whole degrees", |formula| {
+            formula.joint.rounded = RoundedAngles::TowardsZero;
+        }),
+        reading("to two digits after the point of radians", |formula| {
+            formula.joint.rounded = RoundedAngles::ToRadians(2);
+        }),
+    ],
+};
 
 /// A mistake with the angles about the axes.
 pub(super) static ANGLES_EXCHANGED: Mistake = Mistake {

@@ -1,7 +1,7 @@
 //! Mistakes of a whole program with what only Collada files have: the skin's own matrix, the axes and units of the file, and
 //! the directions of its bones.
 
-use super::formula::{About, Factors, Shaped};
+use super::formula::{About, Factors, JointOrder, JointsBy, Shaped};
 use super::mistake::{MESH, Mistake, SLIDERS, SSD, reading};
 
 /// A mistake with the matrix that a Collada file's skin has for its mesh.
@@ -26,6 +26,30 @@ pub(super) static AXES_NOT_CONVERTED: Mistake = Mistake {
         formula.joint.about = About::File;
         formula.factors = Factors::ExactInFile;
     })],
+};
+
+/// A mistake with the joints that weights belong to in a Collada file.
+pub(super) static SKIN_LIST_IGNORED: Mistake = Mistake {
+    id: "skin-list-ignored",
+    meaning: "the numbers of joints in <v> are taken for places in a list of all bones instead of the skin's own list",
+    section: SSD,
+    look_at: "where the skin is read: numbers in <v> count in the skin's own list of joints (JOINT of its <joints>), whose \
+              names lead to the bones",
+    readings: &[
+        reading("", |formula| formula.joint_order = BY_SKIN_LIST),
+        reading(
+            "while inverse bind matrices are those of the skin's own list",
+            |formula| {
+                formula.joint_order = BY_SKIN_LIST;
+                formula.factors = Factors::InverseBindOfNumber;
+            },
+        ),
+    ],
+};
+
+const BY_SKIN_LIST: JointOrder = JointOrder {
+    by: JointsBy::SkinList,
+    has_angles: false,
 };
 
 /// A mistake with the directions of the bones in a Collada file.

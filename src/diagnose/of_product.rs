@@ -55,7 +55,7 @@ pub(super) const BIND_NOT_INVERTED: Mistake = Mistake {
     readings: &[
         way!("by T · B", factors = Factors::BindNotInverted),
         way!(
-            "by T · Bᵀ, as if B only turned",
+            "by T and the transpose of B, as if B only turned",
             factors = Factors::BindTransposed
         ),
         way!(

@@ -57,10 +57,10 @@ pub(super) static WRONG_INVERSE: Mistake = Mistake {
     look_at: "whether both are what their names say: currentJointToWorldTransform is T, bindWorldToJointTransform is the \
               inverse of B",
     readings: &[
-        reading("T⁻¹ · B", |formula| {
+        reading("the inverse of T on the left of B", |formula| {
             formula.factors = Factors::InverseOfCurrent
         }),
-        reading("B · T⁻¹", |formula| {
+        reading("the inverse of T on the right of B", |formula| {
             formula.factors = Factors::InverseOfCurrentFirst;
         }),
     ],

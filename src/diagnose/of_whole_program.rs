@@ -4,10 +4,12 @@
 use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped, Reached, Unfilled};
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
 use super::of_angles::{
-    ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_SHIFTED, CURRENT_ROTATION_TRANSPOSED,
+    ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_ROUNDED, ANGLES_SHIFTED, CURRENT_ROTATION_TRANSPOSED,
     QUATERNION_ORDER, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
 };
-use super::of_collada::{ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING};
+use super::of_collada::{
+    ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING, SKIN_LIST_IGNORED,
+};
 use super::of_product::INVERSE_BIND_SHARED;
 use super::of_weighted_sum::{
     INFLUENCES_CUT_FEWER, LAST_RESULT_SKINNED, SMALL_WEIGHTS_LEFT_OUT, SUM_BEGUN_AT_REST,
@@ -334,10 +336,11 @@ pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 36] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 38] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
+    &SKIN_LIST_IGNORED,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
     &ROOT_NOT_MOVED,
@@ -352,6 +355,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 36] = [
     &SUM_BEGUN_AT_REST,
     &SUM_OVERWRITTEN,
     &LAST_RESULT_SKINNED,
+    &ANGLES_ROUNDED,
     &ANGLES_EXCHANGED,
     &ANGLES_SHIFTED,
     &OWN_TRANSFORM_MISSING,

@@ -220,10 +220,18 @@ impl<'a> Search<'a> {
                 }
                 both
             });
-            let is_scaled = std::ptr::eq(first.mistake, &raw const ANGLES_SCALED);
+            let is_scaled = |made: &Made| std::ptr::eq(made.mistake, &raw const ANGLES_SCALED);
+            let beside_scaled = match (is_scaled(first), is_scaled(second)) {
+                (true, _) => Some(*second),
+                (_, true) => Some(*first),
+                _ => None,
+            };
             found.extend(explained.filter(|both| {
-                let other = || self.error_of(*second).unwrap_or(f64::INFINITY);
-                !is_scaled || both.error <= rounding || both.error <= other() / MUCH_NEARER
+                let is_much_nearer = |other: Made| {
+                    let alone = self.error_of(other).unwrap_or(f64::INFINITY);
+                    both.error <= alone / MUCH_NEARER
+                };
+                both.error <= rounding || beside_scaled.is_none_or(is_much_nearer)
             }));
         }
         found

@@ -85,7 +85,7 @@ impl VertexFormula {
             let step = |&factor: &Factor| {
                 let of = match factor {
                     Factor::InverseBindOfFirst => first.unwrap_or(joint),
-                    _ => joint,
+                    other => other.joint(index, joint),
                 };
                 let matrix = joints.matrix(factor, of);
                 at = matrix * at;

@@ -4,7 +4,7 @@ use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
 use super::mistake::Mistake;
-use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
+use super::of_angles::{ANGLE_REPEATED, ANGLES_ROUNDED, ROTATION_REPEATED};
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
@@ -70,14 +70,15 @@ async fn made_by(
 }
 
 /// The mistakes that give the mesh beside another one, or beside none where that is right. One in how roots are moved is none
-/// where no root is.
+/// where no root is, and rounding is none where it changes nothing.
 pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
     let (model, pose) = (alone.search.model, alone.search.pose);
     let mut roots = model.skeleton().roots().iter();
     let moves_root = roots.any(|&root| pose.root_offset(root) != Vec3::ZERO);
     let mut found = Vec::new();
     for mistake in OF_WHOLE_PROGRAM {
-        if std::ptr::eq(mistake, &raw const ROOT_NOT_MOVED) && !moves_root {
+        let moves_none = std::ptr::eq(mistake, &raw const ROOT_NOT_MOVED) && !moves_root;
+        if moves_none || std::ptr::eq(mistake, &raw const ANGLES_ROUNDED) {
             continue;
         }
         found.extend(made_by(mistake, alone, pace).await);

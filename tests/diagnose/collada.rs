@@ -44,20 +44,27 @@ fn rows(matrix: Mat4) -> String {
 }
 
 fn arm() -> Character {
+    arm_with_list([0, 1])
+}
+
+/// The same whose skin has its joints in this order.
+fn arm_with_list(list: [usize; 2]) -> Character {
     let numbers: Vec<String> = positions()
         .iter()
         .flat_map(|at| at.to_array().map(|number| number.to_string()))
         .collect();
     let shape = geometry("g", &numbers.join(" "), "", &triangles("g", "0 1 2 3 4 5"));
-    let inverse_binds = at_rest().map(|matrix| rows(matrix.inverse())).join(" ");
+    let inverse_binds = list.map(|joint| rows(at_rest()[joint].inverse())).join(" ");
+    let number = |joint: usize| list.iter().position(|it| *it == joint).unwrap();
+    let (a, b) = (number(0), number(1));
     let v = (0..24).map(|vertex| match vertex % 3 {
-        0 => "0 2 1 0".to_owned(),
-        1 => "0 3 1 1".to_owned(),
-        _ => "0 0 1 2".to_owned(),
+        0 => format!("{a} 2 {b} 0"),
+        1 => format!("{a} 3 {b} 1"),
+        _ => format!("{a} 0 {b} 2"),
     });
     let skin = Skin {
         bind_shape: &rows(bind_shape()),
-        joints: "a b",
+        joints: &list.map(|joint| ["a", "b"][joint]).join(" "),
         inverse_binds: &inverse_binds,
         weights: "0 0.25 1 0.75",
         vcount: &"2 ".repeat(24),
@@ -161,6 +168,34 @@ fn what_is_left_out_of_a_collada_skin_is_named_though_its_joints_are_turned_at_r
         told.sort_unstable();
         assert_eq!(told, ids, "{found}");
         assert!(found.error < 1e-5, "{found}");
+    }
+}
+
+#[test]
+fn numbers_of_a_skins_list_that_are_taken_for_places_among_all_bones_are_named() {
+    let (posed, shape) = (in_pose(), bind_shape());
+    let inverse_bind = at_rest().map(|matrix| matrix.inverse());
+    let listed_otherwise = arm_with_list([1, 0]);
+    let right = theirs(|joint| posed[joint] * inverse_bind[joint] * shape);
+    let found = diagnose(&listed_otherwise, &pose(), &right).unwrap();
+    assert_eq!(found.verdict, Verdict::Right, "{found}");
+    for (of_bone, how) in [
+        (true, ""),
+        (
+            false,
+            "while inverse bind matrices are those of the skin's own list",
+        ),
+    ] {
+        let theirs = theirs(|joint| {
+            let bone = 1 - joint;
+            posed[bone] * inverse_bind[if of_bone { bone } else { joint }] * shape
+        });
+        let found = diagnose(&listed_otherwise, &pose(), &theirs).unwrap();
+        assert_eq!(found.together(), ["skin-list-ignored"], "{found}");
+        assert_eq!(found.mistakes[0].how, how, "{found}");
+        // Where both lists are one it is another mistake.
+        let found = diagnose(&arm(), &pose(), &theirs).unwrap();
+        assert!(!found.causes.contains(&"skin-list-ignored"), "{found}");
     }
 }
 

@@ -76,6 +76,37 @@ fn of_one_joint_that_is_turned_otherwise_this_one_alone_is_told() {
 }
 
 #[test]
+fn a_joint_that_is_turned_by_a_hair_is_told_alone_and_with_digits_that_show_it() {
+    let mut figure = Figure::builtin("adult", |_| Vec3::ZERO);
+    let joint = |name: &str| {
+        let mut joints = figure.character.skeleton().joints().iter();
+        joints.position(|joint| joint.name == name).unwrap()
+    };
+    let (neck, elbow) = (joint("Neck"), joint("Left elbow"));
+    figure.degrees[neck] = Vec3::new(0.0, 40.0, 0.0);
+    figure.degrees[elbow] = Vec3::new(-4.73, -9.13, 59.96);
+    let mut expected = figure.pose();
+    let other = Vec3::new(-4.73, -9.13, 60.02);
+    expected.set_joint_transform(elbow, Euler::from_degrees(other));
+    let found = held_against(&figure, &expected);
+    let told = "\n  turned   Left elbow (-4.73°, -9.13°, 59.96°) instead of (-4.73°, -9.13°, 60.02°)\n  look at";
+    assert!(found.to_string().contains(told), "{found}");
+}
+
+#[test]
+fn angles_beyond_half_a_turn_are_told_as_the_panel_shows_them() {
+    let mut figure = Figure::builtin("adult", |_| Vec3::ZERO);
+    let mut joints = figure.character.skeleton().joints().iter();
+    let neck = joints.position(|joint| joint.name == "Neck").unwrap();
+    figure.degrees[neck] = Vec3::new(0.0, 400.0, 0.0);
+    let expected = figure.pose();
+    figure.degrees[neck] = Vec3::new(0.0, -20.0, 180.0);
+    let found = held_against(&figure, &expected);
+    let told = "Neck (0°, -20°, 180°) instead of (0°, 40°, 0°)";
+    assert!(found.to_string().contains(told), "{found}");
+}
+
+#[test]
 fn of_many_joints_that_are_turned_otherwise_no_other_is_told_and_the_largest_turn_comes_first() {
     let ours = Figure::builtin("adult", |_| Vec3::ZERO);
     let path = course("characters/Model1.obj");

@@ -568,12 +568,12 @@ fn the_inverse_of_the_wrong_matrix_or_of_none_is_named_with_the_product() {
     assert_named(
         &of_product(|t, b| t.inverse() * b),
         "wrong-inverse",
-        "T⁻¹ · B",
+        "the inverse of T on the left of B",
     );
     assert_named(
         &of_product(|t, b| b * t.inverse()),
         "wrong-inverse",
-        "B · T⁻¹",
+        "the inverse of T on the right of B",
     );
     assert_named(
         &of_product(|t, b| b * t),
@@ -718,6 +718,63 @@ fn small_weights_that_are_left_out_are_named_with_the_number_below_which_they_ar
     let mut causes = found.together();
     causes.sort_unstable();
     assert_eq!(causes, ["euler-zyx", "small-weights-left-out"], "{found}");
+}
+
+#[test]
+fn angles_that_are_rounded_are_named_by_themselves_and_beside_another_mistake() {
+    let pose = |joint: usize| turned(85)(joint) * 0.937;
+    let figure = Figure::builtin("adult", pose);
+    for (slider, to_radians, how) in [
+        (
+            (|degrees| (degrees * 10.0).round() / 10.0) as fn(Vec3) -> Vec3,
+            RIGHT.to_radians,
+            "to one digit after the point of degrees",
+        ),
+        (
+            |degrees| degrees.round(),
+            RIGHT.to_radians,
+            "to whole degrees",
+        ),
+        (
+            |degrees| degrees.trunc(),
+            RIGHT.to_radians,
+            "towards 0 to whole degrees",
+        ),
+        (
+            RIGHT.slider,
+            (|degrees| (degrees.to_radians() * 100.0).round() / 100.0) as fn(f32) -> f32,
+            "to two digits after the point of radians",
+        ),
+    ] {
+        let student = Student {
+            slider,
+            to_radians,
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_named(&found, "angles-rounded", how);
+        let beside = Student {
+            slider,
+            to_radians,
+            ..with(&["euler-zyx"])
+        };
+        let found = figure.diagnose(&written(&beside.skin(&figure), 6));
+        let mut causes = found.together();
+        causes.sort_unstable();
+        assert_eq!(causes, ["angles-rounded", "euler-zyx"], "{how}: {found}");
+    }
+}
+
+#[test]
+fn whole_degrees_that_are_cut_to_whole_degrees_are_right_and_that_is_no_mistake_unseen() {
+    let figure = Figure::builtin("adult", turned(86));
+    let cut = Student {
+        slider: |degrees| degrees.trunc(),
+        ..RIGHT
+    };
+    let found = figure.diagnose(&written(&cut.skin(&figure), 6));
+    assert_eq!(found.verdict, Verdict::Right, "{found}");
+    assert!(!found.unseen.contains(&"angles-rounded"), "{found}");
 }
 
 #[test]

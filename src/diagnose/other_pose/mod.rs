@@ -18,9 +18,14 @@ use glam::{DMat3, DVec3, Vec3};
 use serde::Serialize;
 use shared::{SharedTurn, moving, plainest};
 use std::fmt;
+use std::ops::RangeInclusive;
 
 /// Angle between two rotations of a joint that are told apart, in degrees.
 const TOLD_APART: f64 = 0.1;
+/// The same where none of a pose is, of angles that were rounded.
+const TOLD_APART_OF_SMALL: f64 = 0.01;
+/// Digits after the point with which angles are told: more than the fewest only where it takes them to tell two apart.
+const DIGITS: RangeInclusive<i32> = 1..=3;
 /// Angle up to which a joint is as good as turned as expected, such as by angles that are cut to whole degrees, in
 /// degrees.
 const AS_EXPECTED: f64 = 5.0;
@@ -65,7 +70,7 @@ pub struct TurnedJoint {
 
 impl fmt::Display for TurnedJoint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [degrees, expected] = [self.degrees, self.expected].map(angles);
+        let [degrees, expected] = self.angles();
         write!(f, "{} {degrees}", self.joint)?;
         if degrees != expected {
             write!(f, " instead of {expected}")?;
@@ -93,15 +98,27 @@ impl TurnedJoint {
 
     /// Whether its angles differ, and not only where it is.
     pub(super) fn is_turned(&self) -> bool {
-        angles(self.degrees) != angles(self.expected)
+        let [degrees, expected] = self.angles();
+        degrees != expected
+    }
+
+    /// Both rotations in words, with as many digits as it takes to tell them apart.
+    fn angles(&self) -> [String; 2] {
+        let with = |digits| [self.degrees, self.expected].map(|of| angles(of, digits));
+        let differ = |[degrees, expected]: &[String; 2]| degrees != expected;
+        let mut more = DIGITS.map(with).filter(differ);
+        more.next().unwrap_or_else(|| with(*DIGITS.start()))
     }
 }
 
-/// Angles in words: whole degrees where they are whole, and a zero without a sign.
-fn angles(of: [f32; 3]) -> String {
+/// Angles in words, within half a turn either way and with so many digits after the point: whole degrees where they are
+/// whole, and a zero without a sign.
+fn angles(of: [f32; 3], digits: i32) -> String {
+    let scale = 10_f64.powi(digits);
     let [x, y, z] = of.map(|degrees| {
-        let tenths = (degrees * 10.0).round() / 10.0;
-        (tenths + 0.0).to_string()
+        let within = f64::from(degrees) - (f64::from(degrees) / 360.0 - 0.5).ceil() * 360.0;
+        let rounded = (within * scale).round() / scale;
+        (rounded + 0.0).to_string()
     });
     format!("({x}°, {y}°, {z}°)")
 }
@@ -182,6 +199,24 @@ impl Search<'_> {
     /// The pose that `posed` is, with the joints that differ from the expected one and the largest distance of the
     /// exact mesh in it, if that agrees and any joint differs.
     fn found(&self, posed: &Posed) -> Option<(Pose, Vec<TurnedJoint>, f64)> {
+        let told_apart = [TOLD_APART, TOLD_APART_OF_SMALL];
+        let mut found = told_apart
+            .map(|degrees| self.turned_by_more_than(degrees, posed))
+            .into_iter();
+        let (poses, joints) = found.find(|(_, joints)| !joints.is_empty())?;
+        let mut errors = poses.into_iter().map(|pose| {
+            (
+                largest_error(self.model, &pose, self.order, self.theirs),
+                pose,
+            )
+        });
+        let (error, pose) = errors.find(|(error, _)| *error <= self.tolerance)?;
+        Some((pose, joints, error))
+    }
+
+    /// The joints that are turned by more than so many `degrees` otherwise than expected, or moved, with the pose in which
+    /// these alone are, and the one that `posed` is.
+    fn turned_by_more_than(&self, degrees: f64, posed: &Posed) -> ([Pose; 2], Vec<TurnedJoint>) {
         let Self {
             model, expected, ..
         } = *self;
@@ -200,7 +235,7 @@ impl Search<'_> {
             let after = Euler::nearest(rotations[joint].as_mat3(), before);
             let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
             let turned_by = degrees_between(before.to_dmat3(), rotations[joint]);
-            let is_turned = turned_by > TOLD_APART;
+            let is_turned = turned_by > degrees;
             let is_moved = moved.length() > self.tolerance;
             whole.set_joint_transform(joint, after);
             whole.set_root_offset(joint, offsets[joint].as_vec3());
@@ -222,14 +257,7 @@ impl Search<'_> {
                 });
             }
         }
-        if joints.is_empty() {
-            return None;
-        }
-        let poses = [plain, whole].into_iter();
-        let mut errors =
-            poses.map(|pose| (largest_error(model, &pose, self.order, self.theirs), pose));
-        let (error, pose) = errors.find(|(error, _)| *error <= self.tolerance)?;
-        Some((pose, joints, error))
+        ([plain, whole], joints)
     }
 }
 

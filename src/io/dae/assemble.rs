@@ -24,12 +24,14 @@ pub(super) struct Part {
 }
 
 /// What the mesh of a skin is placed by at rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct SkinPlacement {
     /// From the bind pose to the scene's rest pose, in our space; `None` where that differs from joint to joint.
     pub rest: Option<DMat4>,
     /// The skin's own matrix.
     pub bind_shape: DMat4,
+    /// The joints of the skin's own list; `None` for what is none.
+    pub joints: Vec<Option<u32>>,
 }
 
 /// Puts instances together.
@@ -161,6 +163,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
         placements.push(SkinPlacement {
             rest: as_a_whole,
             bind_shape,
+            joints: binding.rig_joints(joint_of_node),
         });
         if rest.as_a_whole {
             let placement = Placement::Whole(ours_from_file * rest.first() * bind_shape);
@@ -201,11 +204,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
         binding: &Binding<'a>,
         joint_of_node: &HashMap<usize, u32>,
     ) {
-        let joints: Vec<Option<u32>> = binding
-            .joints
-            .iter()
-            .map(|node| joint_of_node.get(&(*node)?).copied())
-            .collect();
+        let joints = binding.rig_joints(joint_of_node);
         let (mut unusable, mut without) = (0, 0);
         let mut row: Vec<(u32, f32)> = Vec::new();
         for position in 0..instance.geometry.positions.len() {

@@ -48,6 +48,16 @@ pub(super) struct Binding<'a> {
     pub joints: Vec<Option<usize>>,
 }
 
+impl Binding<'_> {
+    /// The joint of a rig that each of the skin's list is, with the rig's joint of each node; `None` for what is none.
+    pub fn rig_joints(&self, joint_of_node: &HashMap<usize, u32>) -> Vec<Option<u32>> {
+        let nodes = self.joints.iter();
+        nodes
+            .map(|node| joint_of_node.get(&(*node)?).copied())
+            .collect()
+    }
+}
+
 /// All meshes of the scene, in the order of the document. Nodes that a skin calls its joints
 /// become joints.
 ///

@@ -278,10 +278,19 @@ fn file_frames(
     let has_inverse = |matrix: DMat4| matrix.inverse().is_finite();
     let bind_shape = Some(first.bind_shape)
         .filter(|bind_shape| is_shared && changes && has_inverse(rest * *bind_shape));
+    let list = |placement: &SkinPlacement| {
+        let joints = placement.joints.iter().copied();
+        let joints: Option<Vec<usize>> = joints.map(|it| Some(it? as usize)).collect();
+        joints.unwrap_or_default()
+    };
     let frames = FileFrames {
         model_from_joint: model_from_joint.collect(),
         placed: rest,
         bind_shape,
+        skin_joints: match placements.iter().all(|other| other.joints == first.joints) {
+            true => list(first),
+            false => Vec::new(),
+        },
     };
     let mut of_joints = frames.model_from_joint.iter().copied();
     (has_inverse(rest) && of_joints.all(has_inverse)).then_some(frames)

@@ -7,7 +7,9 @@ pub(super) fn letter(factor: Factor) -> (&'static str, &'static str) {
     match factor {
         Factor::Current => ("T", ""),
         Factor::Bind => ("B", ""),
-        Factor::InverseBind | Factor::InverseBindOfFile => ("B", "-1"),
+        Factor::InverseBind | Factor::InverseBindOfFile | Factor::InverseBindOfNumber => {
+            ("B", "-1")
+        }
         Factor::InverseBindOfFirst => ("B₁", "-1"),
         Factor::CurrentTransposed => ("T", "T"),
         Factor::InverseBindTransposed | Factor::InverseBindOfFileTransposed => ("B", "-T"),
@@ -56,7 +58,25 @@ pub(super) fn of_file(formula: &Formula) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::{Factors, Formula};
+    use crate::diagnose::{Factors, Formula, Mistake};
+    use egui::{Context, FontId, RawInput};
+
+    #[test]
+    fn mistakes_are_told_in_letters_that_the_window_has() {
+        let context = Context::default();
+        let mut texts = vec![letter(Factor::InverseBindOfFirst).0];
+        for mistake in Mistake::all() {
+            texts.extend([mistake.meaning, mistake.look_at]);
+            texts.extend(mistake.readings.iter().map(|reading| reading.how));
+        }
+        context.begin_pass(RawInput::default());
+        let has =
+            |text: &str| context.fonts_mut(|fonts| fonts.has_glyphs(&FontId::default(), text));
+        for text in texts {
+            assert!(has(text), "{text}");
+        }
+        assert!(!has("ᵀ"), "an exponent is raised, not written");
+    }
 
     #[test]
     fn letters_are_told_that_a_formula_has_of_a_collada_file() {
