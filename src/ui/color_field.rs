@@ -38,6 +38,8 @@ pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeCo
                     } else {
                         ShapeColor::Preset(index)
                     });
+                    // A key has not closed it.
+                    ui.close();
                 }
             }
         });
@@ -61,8 +63,14 @@ fn preset(ui: &mut Ui, index: usize, color: ShapeColor) -> bool {
         };
         paint_swatch(ui, rect, shown);
     }
-    if selected && line.response.gained_focus() {
-        line.response.scroll_to_me(None);
+    if selected {
+        // Keys move on from here, however the list was opened.
+        if ui.memory(|memory| memory.focused().is_none()) {
+            line.response.request_focus();
+        }
+        if line.response.gained_focus() {
+            line.response.scroll_to_me(None);
+        }
     }
     line.response.clicked()
 }

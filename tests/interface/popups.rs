@@ -1,7 +1,7 @@
-//! Menus and choices that are open: what a press outside of them does.
+//! Menus and choices that are open: what a press outside of them does, and keys in them.
 
 use crate::interface::Editor;
-use editor_core::scene::Camera;
+use editor_core::scene::{Camera, ShapeColor};
 use egui::{Key, Pos2, pos2};
 
 /// A place in the view that no menu covers.
@@ -76,6 +76,19 @@ fn the_choice_of_a_color_is_closed_by_a_click_that_does_nothing_else() {
     editor.press_and_release_at(IN_VIEW);
     assert!(!editor.has("Red"));
     assert_eq!(editor.session().selected(), selected);
+}
+
+#[test]
+fn in_the_list_of_colors_keys_move_from_the_one_there_is_though_a_click_opened_it() {
+    let mut editor = Editor::with_figure();
+    editor.click("Color");
+    editor.click("Teal");
+    let at = editor.widget("Color").rect().center();
+    editor.press_and_release_at(at);
+    editor.key(Key::ArrowDown);
+    editor.key(Key::Enter);
+    assert_eq!(editor.shape().placement.color, ShapeColor::Preset(15));
+    assert!(!egui::Popup::is_any_open(&editor.harness.ctx));
 }
 
 #[test]

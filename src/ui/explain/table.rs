@@ -115,7 +115,8 @@ pub(super) fn show(
         let own = if term.joint == term.weight_of {
             name(term.joint).to_owned()
         } else {
-            format!("{}, weight of {}", name(term.joint), name(term.weight_of))
+            // As short as may be: both names are in sight.
+            format!("{}, w of {}", name(term.joint), name(term.weight_of))
         };
         let is_unfolded = unfolded.contains(&term.weight_of);
         let steps = term.steps.iter().skip(columns.first).map(|step| step.at);

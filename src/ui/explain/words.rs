@@ -316,6 +316,11 @@ mod tests {
             ["v' = Σ w · B⁻¹ · T · v", current, bind]
         );
         assert_eq!(spoken("pose-not-applied", 1), ["v' = v", current, bind]);
+        // Of the first joint for all of them.
+        assert_eq!(
+            spoken("inverse-bind-shared", 0)[0],
+            "v' = Σ w · T · B₁⁻¹ · v"
+        );
         // In the frames of a Collada file.
         let of_file = |id| spoken(id, 1)[0].clone();
         assert_eq!(of_file("no-inverse-bind"), "v' = Σ w · T · R · A⁻¹ · v");
