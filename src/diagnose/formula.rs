@@ -325,6 +325,12 @@ pub enum VertexOrder {
 }
 
 impl Formula {
+    /// Whether digits of angles or weights are rounded off.
+    pub(super) fn rounds_digits(&self) -> bool {
+        self.joint.rounded != RoundedAngles::No
+            || matches!(self.weights.rounded, Rounded::ToDigits(1..))
+    }
+
     /// Whether it changes something of a character: what it changes may be what only Collada files have, or only others.
     pub fn is_of(&self, character: &Character) -> bool {
         let frames = character.file_frames();

@@ -1,10 +1,11 @@
 //! Mistakes of a whole program, which are sought by themselves first.
 
+use super::formula::Formula;
 use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
 use super::mistake::Mistake;
-use super::of_angles::{ANGLE_REPEATED, ANGLES_ROUNDED, ROTATION_REPEATED};
+use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::search::{AT_ONCE, Explanation, Made};
 use super::skin::Skinner;
@@ -32,7 +33,7 @@ pub(super) async fn find(
         if std::ptr::eq(mistake, &raw const ANGLE_REPEATED) && !found.is_empty() {
             continue;
         }
-        found.extend(made_by(mistake, alone, pace).await);
+        found.extend(made_by(mistake, alone, |_| true, pace).await);
     }
     // Where each joint turns about one axis, rotations that are made twice are angles that are twice as large.
     let is_repeated = |found: &Explanation| found.ids() == [ROTATION_REPEATED.id];
@@ -51,17 +52,18 @@ pub(super) async fn find(
     found
 }
 
-/// The ways to make a mistake of such a character that give the mesh.
+/// The ways to make a mistake of such a character that give the mesh, of those whose formula counts.
 async fn made_by(
     mistake: &'static Mistake,
     alone: &MadeAlone<'_>,
+    counts: impl Fn(&Formula) -> bool,
     pace: &Pace,
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
     for reading in mistake.readings {
         let mut formula = alone.formula();
         (reading.make)(&mut formula);
-        if formula.is_of(alone.search.model.character) {
+        if formula.is_of(alone.search.model.character) && counts(&formula) {
             let made = Made { mistake, reading };
             found.extend(alone.made_by(&formula, made, pace).await);
         }
@@ -70,7 +72,7 @@ async fn made_by(
 }
 
 /// The mistakes that give the mesh beside another one, or beside none where that is right. One in how roots are moved is none
-/// where no root is, and rounding is none where it changes nothing.
+/// where no root is, and digits that are rounded off are none where there are none.
 pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
     let (model, pose) = (alone.search.model, alone.search.pose);
     let mut roots = model.skeleton().roots().iter();
@@ -78,10 +80,9 @@ pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanati
     let mut found = Vec::new();
     for mistake in OF_WHOLE_PROGRAM {
         let moves_none = std::ptr::eq(mistake, &raw const ROOT_NOT_MOVED) && !moves_root;
-        if moves_none || std::ptr::eq(mistake, &raw const ANGLES_ROUNDED) {
-            continue;
+        if !moves_none {
+            found.extend(made_by(mistake, alone, |formula| !formula.rounds_digits(), pace).await);
         }
-        found.extend(made_by(mistake, alone, pace).await);
     }
     found
 }

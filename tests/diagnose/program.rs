@@ -58,7 +58,7 @@ influences-cut-4, influences-cut-4-renormalized, strongest-joint-only, vertices-
 one-axis-ignored-x, one-axis-ignored-y, sign-flipped-x, sign-flipped-y, sign-flipped-z, \
 root-rotated-before-translation, root-angles-missing, stack-not-popped, parents-misread, root-translation-missing, \
 root-transform-missing, root-transform-repeated, sum-overwritten, angles-exchanged, influences-cut-fewer, sum-divided, \
-small-weights-left-out, above-parents-missing, parents-rotations-missing, parent-rotation-order, offset-not-turned, \
+small-weights-left-out, above-parents-missing, parents-rotations-missing, parent-rotation-order, offset-not-turned, inverse-bind-shared, \
 angle-repeated: with these mistakes it would be the same here
 ";
         assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(0), told, WARNING));
