@@ -1,15 +1,12 @@
 //! Where a figure that is added stands among the shapes that are there already.
 
+use super::ground::{OFF_THE_GROUND, figures, lowest_at_rest};
 use super::standing::{Stander, body_of, moved, way_out};
 use super::{Edit, Session, hiding};
-use crate::math::{Aabb, Euler, Transform};
-use crate::scene::{
-    Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeId, ShapeKind,
-};
+use crate::math::{Aabb, Euler};
+use crate::scene::{Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeKind};
 use glam::Vec3;
 
-/// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
-const OFF_THE_GROUND: f32 = 0.02;
 /// Depth of shapes by their width and height from which on they hide themselves.
 const DEEP: f32 = 2.0;
 /// How many times as far along X as along Z the eye is, from where figures stand beside each other along Z.
@@ -154,7 +151,7 @@ fn stand_beside(
     if way_out(bounds) == Vec3::ZERO {
         return;
     }
-    let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_at_rest(shapes));
+    let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_of(shapes));
     let is_off = up.is_finite() && up.abs() > OFF_THE_GROUND * bounds.size().y;
     let up = Vec3::Y * if is_off { up } else { 0.0 };
     move_all(shapes, up + way_out(&moved(bounds, up)));
@@ -178,7 +175,7 @@ pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
     let heights = others.iter().map(|one| one.bounds.min.y);
     let lowest = heights.fold(f32::INFINITY, f32::min);
     let bounds = bounds_of(shapes);
-    let own = lowest_at_rest(shapes);
+    let own = lowest_of(shapes);
     let off_the_ground = OFF_THE_GROUND * bounds.size().y;
     let up = lowest - own;
     if up.is_finite() && up > off_the_ground {
@@ -245,31 +242,6 @@ pub fn set_beside_others(session: &Session, shape: &mut NewShape) {
     }
 }
 
-/// `transform`, in which the shape `id` is scaled otherwise than it is: moved up or down so that a figure that stands on
-/// the ground stays there.
-pub fn kept_on_ground(session: &Session, id: ShapeId, transform: Transform) -> Transform {
-    let mut kept = transform;
-    let (Some(floor), Some(shown)) = (ground_below(session, id), session.evaluated().shape(id))
-    else {
-        return kept;
-    };
-    let at_rest = shown.geometry.mesh.bounds();
-    let up = floor - at_rest.transformed(transform.world_from_model()).min.y;
-    if up.is_finite() {
-        kept.position.y += up;
-    }
-    kept
-}
-
-/// Height, in the world, of the ground that the shape `id` stands on; `None` if it stands on none, or is no figure.
-pub(super) fn ground_below(session: &Session, id: ShapeId) -> Option<f32> {
-    session.scene().shape(id)?.front()?;
-    let ground = ground_of_characters(session).filter(|_| session.view().has_ground())?;
-    let bounds = at_rest(session.evaluated().shape(id)?);
-    let above = bounds.min.y - ground;
-    (above.abs() <= OFF_THE_GROUND * bounds.size().y).then_some(bounds.min.y)
-}
-
 /// Height, in the world, of the lowest point of a shape that is in no scene yet, control points included.
 fn lowest_point(shape: &NewShape) -> f32 {
     let alone = evaluated_alone(std::slice::from_ref(shape));
@@ -296,12 +268,15 @@ pub fn bounds_of(shapes: &[NewShape]) -> Aabb {
 
 /// The height that shapes, which are to be added, stand on: of what their meshes have, if they have any, since a joint
 /// may hang below.
-fn lowest_at_rest(shapes: &[NewShape]) -> f32 {
+fn lowest_of(shapes: &[NewShape]) -> f32 {
     let alone = evaluated_alone(shapes);
-    let lowest = alone.shapes.iter().map(|shape| match at_rest(shape) {
-        mesh if mesh.is_empty() => shape.world_bounds().min.y,
-        mesh => mesh.min.y,
-    });
+    let lowest = alone
+        .shapes
+        .iter()
+        .map(|shape| match lowest_at_rest(shape) {
+            height if height.is_finite() => height,
+            _ => shape.world_bounds().min.y,
+        });
     lowest.fold(f32::INFINITY, f32::min)
 }
 
@@ -316,17 +291,8 @@ fn evaluated_alone(shapes: &[NewShape]) -> Evaluated {
 /// Height, in the world, of the lowest point of all characters that are seen, at rest: a leg that is lifted
 /// leaves the ground where it is.
 fn ground_of_characters(session: &Session) -> Option<f32> {
-    let shapes = session.scene().shapes().iter();
-    let characters = shapes.filter(|shape| shape.visible && shape.front().is_some());
-    let evaluated = characters.filter_map(|shape| session.evaluated().shape(shape.id));
-    let lowest = evaluated.map(|shape| at_rest(shape).min.y);
+    let lowest = figures(session).map(|(_, shown)| lowest_at_rest(shown));
     lowest.reduce(f32::min).filter(|height| height.is_finite())
-}
-
-/// Bounds of a shape at rest, in the world.
-fn at_rest(shape: &EvaluatedShape) -> Aabb {
-    let bounds = shape.geometry.mesh.bounds();
-    bounds.transformed(shape.world_from_model)
 }
 
 fn shows_back(front: Vec3, toward: Vec3) -> bool {

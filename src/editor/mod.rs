@@ -8,6 +8,7 @@ mod constraint;
 mod control_point_drag;
 mod edit;
 mod gizmo;
+mod ground;
 mod hiding;
 mod history;
 mod ik_grip;
@@ -27,8 +28,7 @@ mod step_name;
 mod swing;
 
 pub use among::{
-    bounds_of, is_deep, kept_on_ground, put_on_ground, set_among, set_beside_each_other,
-    set_beside_others,
+    bounds_of, is_deep, put_on_ground, set_among, set_beside_each_other, set_beside_others,
 };
 pub use apply::{Change, EditError, apply};
 pub use constraint::Constraint;
@@ -37,6 +37,7 @@ pub use edit::{Edit, View};
 pub use gizmo::{
     GizmoAxes, GizmoHit, Handle, MoveGizmo, RingPoint, RotationGizmo, ScaleGizmo, Screen,
 };
+pub use ground::kept_on_ground;
 pub use ik_grip::IkGrip;
 pub use ik_tool::IkDrag;
 pub use messages::{Message, Messages, Severity};

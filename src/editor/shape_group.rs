@@ -1,4 +1,4 @@
-use super::among::ground_below;
+use super::ground::ground_below;
 use super::{Edit, GizmoAxes, Session};
 use crate::math::{Euler, Transform};
 use crate::scene::{EvaluatedShape, Placement, ShapeId};
@@ -161,8 +161,13 @@ pub fn kept_at_pivot(session: &Session, id: ShapeId, transform: Transform) -> Tr
     if pivot == Vec3::ZERO {
         return transform;
     }
-    let now = shape.world_from_model.transform_point3(pivot);
-    let then = transform.world_from_model().transform_point3(pivot);
+    kept_at(shape, pivot, transform)
+}
+
+/// `transform` of the shape `shown`, moved so that `point`, in its model space, is where it is now.
+pub(super) fn kept_at(shown: &EvaluatedShape, point: Vec3, transform: Transform) -> Transform {
+    let now = shown.world_from_model.transform_point3(point);
+    let then = transform.world_from_model().transform_point3(point);
     // What rounding leaves of a shape that is back where it started is not to be seen in its numbers.
     let position = transform.position + now - then;
     let is_nothing = position

@@ -22,6 +22,7 @@ mod methods;
 mod navigating;
 mod picturing;
 mod posing;
+mod scaling;
 mod several;
 mod several_joints;
 mod sources;
