@@ -38,6 +38,8 @@ pub(super) struct Pasted {
     pub joints: Option<Vec<usize>>,
     /// Whether these are the ones of which it was copied, and not those that are selected.
     pub as_copied: bool,
+    /// Selected joints that the character of which it was copied has not, so that they stay as they are.
+    pub unknown: Vec<usize>,
 }
 
 impl Pasted {
@@ -47,6 +49,7 @@ impl Pasted {
             sides,
             joints: None,
             as_copied: false,
+            unknown: Vec::new(),
         }
     }
 
@@ -71,9 +74,20 @@ impl Pasted {
         (before.with_joints_of(&pose, &joints), Some(joints))
     }
 
-    /// That these joints alone get it.
-    pub(super) fn told(&self, skeleton: &SkeletalModel, joints: &[usize]) -> String {
+    /// That these joints alone get it, or why none does.
+    pub(super) fn told(&self, skeleton: &SkeletalModel, joints: &[usize]) -> (Severity, String) {
+        let has_no = self.has_no(skeleton);
         let onto = match joints {
+            [] => {
+                let text = match has_no {
+                    Some(has_no) => format!("Nothing is pasted: {has_no}"),
+                    None => {
+                        "The pose on the clipboard is of joints that this character does not have"
+                            .to_owned()
+                    }
+                };
+                return (Severity::Warning, text);
+            }
             &[joint] => format!("{} alone", skeleton.joints()[joint].name),
             joints => format!("{} joints", joints.len()),
         };
@@ -81,21 +95,36 @@ impl Pasted {
             Sides::AsTheyAre => "",
             Sides::Exchanged => "mirrored ",
         };
-        let why = match self.as_copied {
-            true => ", as copied",
-            false => "; with no joint selected, onto all",
+        let why = match (self.as_copied, has_no) {
+            (true, _) => ", as copied".to_owned(),
+            (false, None) => "; with no joint selected, onto all".to_owned(),
+            (false, Some(has_no)) => format!("; {has_no}"),
         };
-        format!("Pasted {mirrored}onto {onto}{why}")
+        (Severity::Info, format!("Pasted {mirrored}onto {onto}{why}"))
+    }
+
+    /// Which of the selected joints the pose lacks.
+    fn has_no(&self, skeleton: &SkeletalModel) -> Option<String> {
+        match self.unknown[..] {
+            [] => None,
+            [joint] => Some(format!("the pose has no {}", skeleton.joints()[joint].name)),
+            _ => Some(format!(
+                "the pose lacks {} of the selected joints",
+                self.unknown.len()
+            )),
+        }
     }
 }
 
-/// A pose of which some joints were put on the clipboard. Its text has all of them, for other windows.
+/// A pose that was put on the clipboard. Its text, which other windows read, has neither joints at rest nor which are meant.
 #[derive(Clone, Debug)]
 pub(super) struct CopiedPose {
     /// The character that has it.
     shape: ShapeId,
-    /// The joints that alone are meant, by index and name.
+    /// The joints that are meant, by index and name: those that were selected, or else all.
     joints: Vec<(usize, String)>,
+    /// Whether they were selected, so that they are meant whatever is selected when it is pasted.
+    were_selected: bool,
     /// What was put on the clipboard.
     text: String,
 }
@@ -118,6 +147,28 @@ impl CopiedPose {
                 let mirror = Mirror::new(skeleton);
                 joints.map(|joint| mirror.partner(joint)).collect()
             }
+        }
+    }
+
+    /// What the character `shape` gets of it, where the user asked for `pasted`.
+    fn meant(&self, pasted: Pasted, shape: ShapeId, skeleton: &SkeletalModel) -> Pasted {
+        let known = self.onto(shape, skeleton, pasted.sides);
+        match pasted.joints {
+            _ if self.were_selected => Pasted {
+                joints: Some(known),
+                as_copied: true,
+                ..pasted
+            },
+            Some(selected) => {
+                let is_known = |joint: &usize| known.contains(joint);
+                let (joints, unknown) = selected.into_iter().partition(is_known);
+                Pasted {
+                    joints: Some(joints),
+                    unknown,
+                    ..pasted
+                }
+            }
+            None => pasted,
         }
     }
 }
@@ -157,8 +208,9 @@ impl Program {
         host.request_paste();
     }
 
-    /// Puts the pose of the character `shape` on the clipboard, of which `joints` alone are meant if there are any.
-    pub(super) fn copy_pose(&mut self, shape: ShapeId, joints: Vec<usize>, host: &mut dyn Host) {
+    /// Puts the pose of the character `shape` on the clipboard, of which the `selected` joints alone are meant if there are
+    /// any.
+    pub(super) fn copy_pose(&mut self, shape: ShapeId, selected: Vec<usize>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let of = scene.shape(shape).zip(scene.character(shape));
         let Some(((of, character), text)) = of.zip(self.pose_text(shape, None)) else {
@@ -166,12 +218,17 @@ impl Program {
         };
         host.copy_text(text.clone());
         let all = character.character.skeleton().joints();
-        let joints: Vec<(usize, String)> = joints
+        let were_selected = !selected.is_empty();
+        let meant = match were_selected {
+            true => selected,
+            false => (0..all.len()).collect(),
+        };
+        let joints: Vec<(usize, String)> = meant
             .into_iter()
             .filter_map(|joint| Some((joint, all.get(joint)?.name.clone())))
             .collect();
         let told = match &*joints {
-            [] => format!("Copied the pose of {}", of.name),
+            all_of_it if all_of_it.len() == all.len() => format!("Copied the pose of {}", of.name),
             [(_, name)] => {
                 format!("Copied the pose of {name} alone; with no joint selected, of all")
             }
@@ -181,26 +238,23 @@ impl Program {
             ),
         };
         self.tell(Severity::Info, told);
-        let copied = CopiedPose {
+        self.copied_pose = Some(CopiedPose {
             shape,
             joints,
+            were_selected,
             text,
-        };
-        self.copied_pose = Some(copied).filter(|copied| !copied.joints.is_empty());
+        });
     }
 
     /// What the character `shape` gets of the pose `text`.
     fn meant(&self, pasted: Pasted, shape: ShapeId, text: &str) -> Pasted {
         let copied = self.copied_pose.as_ref();
         let copied = copied.filter(|it| it.text.lines().eq(text.lines()));
-        let Some((copied, character)) = copied.zip(self.session.scene().character(shape)) else {
-            return pasted;
-        };
-        let skeleton = character.character.skeleton();
-        Pasted {
-            joints: Some(copied.onto(shape, skeleton, pasted.sides)),
-            as_copied: true,
-            ..pasted
+        match copied.zip(self.session.scene().character(shape)) {
+            Some((copied, character)) => {
+                copied.meant(pasted, shape, character.character.skeleton())
+            }
+            None => pasted,
         }
     }
 

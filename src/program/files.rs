@@ -261,24 +261,23 @@ impl Program {
             let shape = self.session.scene().shape(shape);
             let name = shape.map_or("the character", |shape| &shape.name);
             let text = format!(
-                "The pose on the clipboard is another character's: {name} has none of its joints, such as {joint}"
+                "The pose on the clipboard is another character's: {name} has none of the joints that it turns, such as {joint}"
             );
             return self.tell(Severity::Warning, text);
         }
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
                 let (pose, onto) = pasted.onto(skeleton, character.pose(), pose);
-                let told = match onto {
-                    Some(joints) if joints.is_empty() => {
-                        let text = "The pose on the clipboard is of joints that this character does not have";
-                        return self.tell(Severity::Warning, text);
-                    }
-                    Some(joints) => Some((Severity::Info, pasted.told(skeleton, &joints))),
+                let told = match &onto {
+                    Some(joints) => Some(pasted.told(skeleton, joints)),
                     None if missing.is_empty() => None,
                     None => Some((Severity::Warning, without(path, &missing))),
                 };
                 if let Some((severity, told)) = told {
                     self.tell(severity, told);
+                }
+                if onto.is_some_and(|joints| joints.is_empty()) {
+                    return;
                 }
                 self.edit(Edit::SetPose(shape, pose));
             }

@@ -460,8 +460,8 @@ fn the_pose_of_another_character_on_the_clipboard_is_refused_in_plain_words() {
     let paste = Action::Ask(Ask::PastePose(story.shape().id));
     story.program.carry_out(vec![paste], &mut story.host);
     story.settle();
-    let words = "The pose on the clipboard is another character's: Strip has none of its joints, \
-                 such as Left wing";
+    let words = "The pose on the clipboard is another character's: Strip has none of the joints \
+                 that it turns, such as Left wing";
     assert_eq!(story.messages(), [(Severity::Warning, words)]);
     assert!(!story.program.is_modified());
 }

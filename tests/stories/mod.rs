@@ -20,6 +20,7 @@ mod long_imports;
 mod looking;
 mod methods;
 mod navigating;
+mod pasting;
 mod picturing;
 mod posing;
 mod scaling;

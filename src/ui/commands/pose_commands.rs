@@ -91,21 +91,17 @@ pub(super) fn mirror_joints(session: &Session) -> Result<Edit, &'static str> {
     Ok(Edit::SetPose(shape, posed))
 }
 
-/// The selected joints, where commands about the pose are about them alone: some are, and bones are posed in Blender's
-/// navigation.
-fn joints_alone(session: &Session, state: &UiState) -> Option<Vec<usize>> {
+/// The selected joints, where commands about the pose are about them alone: bones are posed in Blender's navigation.
+fn joints_alone<'a>(session: &'a Session, state: &UiState) -> Option<&'a [usize]> {
     posed_character(session, state)?;
-    let (_, character) = selected_character(session)?;
     let joints = session.selected_joints();
-    let all = character.character.skeleton().joints();
-    let are_some = !joints.is_empty() && joints.len() < all.len();
-    let is_meant = are_some && state.navigation == Navigation::Blender;
-    is_meant.then(|| joints.to_vec())
+    let is_meant = !joints.is_empty() && state.navigation == Navigation::Blender;
+    is_meant.then_some(joints)
 }
 
 /// Copies the pose of a character, as in Blender of the selected joints alone.
 pub(super) fn copied_pose(shape: ShapeId, session: &Session, state: &UiState) -> Ask {
-    let joints = joints_alone(session, state).unwrap_or_default();
+    let joints = joints_alone(session, state).unwrap_or_default().to_vec();
     Ask::CopyPose { shape, joints }
 }
 
@@ -116,9 +112,12 @@ pub(super) fn pasted_onto(command: Command, session: &Session, state: &UiState) 
         Command::Paste | Command::PastePose | Command::PastePoseMirrored
     );
     let joints = joints_alone(session, state).filter(|_| is_pasted)?;
+    let (_, character) = selected_character(session)?;
+    let are_all = joints.len() == character.character.skeleton().joints().len();
+    (!are_all).then_some(())?;
     Some(Action::Ask(Ask::PastePoseOnto {
         shape: posed_character(session, state)?,
-        joints,
+        joints: joints.to_vec(),
         mirrored: command == Command::PastePoseMirrored,
     }))
 }
