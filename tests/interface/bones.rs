@@ -238,21 +238,33 @@ fn esc_or_a_right_click_puts_everything_back_and_nothing_moves_until_all_buttons
 }
 
 #[test]
-fn a_bone_that_points_at_the_eye_says_how_it_is_turned() {
+fn a_bone_that_points_at_the_eye_and_is_short_in_the_picture_says_how_it_is_turned() {
     let mut editor = Editor::with_hands(Key::B);
-    let says_so = |editor: &Editor| {
-        let painted = editor.painted_over_view();
-        painted.iter().any(|text| text.contains("It points at you"))
-    };
     let (start, end) = editor.bone(LEFT_ELBOW);
-    for (raised, points_at_eye) in [(0.3, true), (0.8, false)] {
+    let height = editor.harness.state().view.height();
+    // Of the same direction, the bone is short from afar and long enough for a hand from close by.
+    for (raised, zoom, points_at_eye) in [
+        (0.8, 1.0, false),
+        (0.3, 1.0, true),
+        (0.3, 0.08, false),
+        (0.1, 0.08, true),
+    ] {
         let mut camera = editor.session().view().camera;
         camera.target = start.midpoint(end);
-        editor.view(View::SetCamera(camera.facing(end - start, raised)));
+        let mut camera = camera.facing(end - start, raised);
+        camera.radius *= zoom;
+        editor.view(View::SetCamera(camera));
         let at = editor.on_bone(LEFT_ELBOW);
         editor.point(at);
         assert_eq!(editor.session().hovered_joint(), Some(LEFT_ELBOW));
-        assert_eq!(says_so(&editor), points_at_eye, "{raised}");
+        let [from, to] = [start, end].map(|at| editor.place(at));
+        let length = from.distance(to) / height;
+        let painted = editor.painted_over_view();
+        let says = |words: &str| painted.iter().any(|text| text.contains(words));
+        assert_eq!(says("It points at you"), points_at_eye, "{raised} {length}");
+        assert!(says("Left, Right roll"), "{painted:?}");
+        camera.radius /= zoom;
+        editor.view(View::SetCamera(camera));
     }
 }
 

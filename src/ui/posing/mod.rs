@@ -29,6 +29,7 @@ use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
 use crate::ui::{Action, GestureStep};
 use egui::{Context, Key, Painter, Pos2, Response, Ui};
+use glam::Vec2;
 use held::{Held, PoseGesture};
 use std::borrow::Cow;
 
@@ -244,7 +245,7 @@ pub(super) fn status(
         }
         Tool::Pose if points_at_eye(session, hit) => (
             Some(hit.joint),
-            "It points at you: click for rings to turn it by, or look from the side",
+            "It points at you: Left, Right roll · click for rings, or look from the side",
         ),
         Tool::Pose => (
             Some(hit.joint),
@@ -262,17 +263,24 @@ pub(super) fn status(
 
 /// Cosine of the angle between a bone and the line of sight above which a turn about that line hardly moves it.
 const AT_EYE: f32 = 0.9;
+/// Length of a bone in the picture, relative to the height of that, from which on a hand turns it well all the same.
+const LONG: f32 = 0.06;
 
-/// Whether the bone under the pointer runs along the line of sight, about which a drag turns it.
+/// Whether the bone under the pointer runs along the line of sight, about which a drag turns it, and is so short in the
+/// picture that this hardly shows.
 fn points_at_eye(session: &Session, hit: BoneHit) -> bool {
     let evaluated = session.evaluated().shape(hit.shape);
     let bone =
         evaluated.and_then(|evaluated| bones_in_world(session.scene(), evaluated).nth(hit.bone));
-    let eye = session.view().camera.eye();
+    let camera = session.view().camera;
     bone.is_some_and(|(_, start, end)| {
         let along = (end - start).normalize_or_zero();
-        let sight = (start - eye).normalize_or_zero();
-        along.dot(sight).abs() > AT_EYE
+        let sight = (start - camera.eye()).normalize_or_zero();
+        let [from, to] = [start, end].map(|at| camera.pixel(at, Vec2::ONE));
+        let is_short = from
+            .zip(to)
+            .is_some_and(|(from, to)| from.distance(to) < LONG);
+        is_short && along.dot(sight).abs() > AT_EYE
     })
 }
 
