@@ -6,6 +6,7 @@
 mod action;
 mod axis_ball;
 mod below_view;
+mod blender_keys;
 mod box_select;
 mod character_panel;
 mod color_field;

@@ -1,9 +1,12 @@
+use super::blender_keys;
 use super::commands::{Gesture, gesture};
 use super::turning_keys::{TURN_GESTURES, turned};
 use crate::editor::Together;
 use crate::scene::{Camera, Look};
 use crate::ui::pointing::Pointing;
-use egui::{Context, Event, Id, InputState, Key, Modifiers, PointerButton, Response};
+use egui::{
+    Context, Event, Id, InputState, Key, KeyboardShortcut, Modifiers, PointerButton, Response,
+};
 use glam::{Vec2, Vec3};
 
 /// How mouse and keys move the camera, each as in a program that users may know.
@@ -184,13 +187,6 @@ const OF_THE_MANNEQUIN: &[Key] = &[
 ];
 const WHY_NOTHING: &str = "This key does nothing in this navigation: the Virtual Mannequin's keys work in \
                            View ⏵ Navigation ⏵ Mannequin";
-/// For those who want Blender's 5, which switches it.
-const WHERE_SHADING_IS: &str =
-    "Shading, colors and looks are chosen in View, looks also beside the axes";
-const NOTHING_REPEATS: &str =
-    "Nothing repeats what was done last. Edit ⏵ Reset puts a shape back to the start";
-const WHERE_LOCAL_VIEW_IS: &str = "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back";
-const NO_ORTHOGRAPHIC: &str = "The camera is always in perspective: there is no orthographic view";
 
 impl Navigation {
     /// All, in the order of the menu.
@@ -213,29 +209,28 @@ impl Navigation {
     /// Why a key that was pressed in this frame, and that nothing has used, does nothing, though it does in the
     /// Virtual Mannequin, if the view has its look, or in Blender; `None` if there is none.
     pub(super) fn why_nothing(self, ctx: &Context, look: Look) -> Option<&'static str> {
-        let is_one = |event: &Event, with: Modifiers, keys: &[Key]| match event {
+        let is_one = |event: &Event, shortcut: &KeyboardShortcut| match event {
             Event::Key {
                 key,
                 pressed: true,
                 repeat: false,
                 modifiers,
                 ..
-            } => modifiers.matches_exact(with) && keys.contains(key),
+            } => modifiers.matches_exact(shortcut.modifiers) && *key == shortcut.logical_key,
             _ => false,
         };
-        let is_pressed_with = |with: Modifiers, keys: &[Key]| {
-            ctx.input(|input| input.events.iter().any(|event| is_one(event, with, keys)))
+        let is_pressed = |shortcut: &KeyboardShortcut| {
+            ctx.input(|input| input.events.iter().any(|event| is_one(event, shortcut)))
         };
-        let is_pressed = |keys: &[Key]| is_pressed_with(Modifiers::NONE, keys);
-        match self {
-            Self::Mannequin => None,
-            Self::Blender if is_pressed(&[Key::Num5]) => Some(NO_ORTHOGRAPHIC),
-            Self::Blender if is_pressed_with(Modifiers::SHIFT, &[Key::R]) => Some(NOTHING_REPEATS),
-            Self::Blender if is_pressed(&[Key::Slash]) => Some(WHERE_LOCAL_VIEW_IS),
-            Self::Blender if is_pressed(&[Key::Z]) => Some(WHERE_SHADING_IS),
-            _ if look == Look::Mannequin && is_pressed(OF_THE_MANNEQUIN) => Some(WHY_NOTHING),
-            _ => None,
+        let is_plain = |&key: &Key| is_pressed(&KeyboardShortcut::new(Modifiers::NONE, key));
+        if self == Self::Mannequin {
+            return None;
         }
+        let mut not_here = blender_keys::NOT_HERE.iter();
+        let not_here = not_here.find(|(key, _)| self == Self::Blender && is_pressed(key));
+        let is_mannequins = look == Look::Mannequin && OF_THE_MANNEQUIN.iter().any(is_plain);
+        let is_mannequins = is_mannequins.then_some(WHY_NOTHING);
+        not_here.map(|(_, why)| *why).or(is_mannequins)
     }
 
     /// Which of the selected joints turn together.

@@ -105,6 +105,13 @@ fn menus_and_the_search_show_the_keys_of_blender_where_there_are_some() {
     editor.click("File");
     assert!(is_shown(&editor, "Ctrl+Q"));
     editor.key(Key::Escape);
+    editor.click("Insert");
+    assert!(is_shown(&editor, "Shift+A"));
+    for key in ["C", "S", "P", "T", "I", "U", "B", "N", "O"] {
+        let key = format!("Shift+{key}");
+        assert!(!is_shown(&editor, &key), "{key} adds nothing");
+    }
+    editor.key(Key::Escape);
 
     editor.click("Pose Tool");
     editor.type_into("Neck X", "10");

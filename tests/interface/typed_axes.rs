@@ -14,9 +14,9 @@ const SHIFT: Modifiers = Modifiers::SHIFT;
 fn with_cube(pointer: Vec3) -> Editor {
     let mut editor = Editor::new();
     editor.harness.state_mut().gestures = true;
+    editor.key_with(SHIFT, Key::C);
     let state = &mut editor.harness.state_mut().state;
     state.set_navigation(Navigation::Blender);
-    editor.key_with(SHIFT, Key::C);
     let mut camera = editor.session().view().camera;
     camera.orbit(vec2(0.6, 0.5));
     editor.view(View::SetCamera(camera));

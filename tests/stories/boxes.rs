@@ -9,11 +9,11 @@ use glam::Vec3;
 /// A cube, a sphere and a pyramid from left to right, seen from the front; nothing is selected.
 fn in_a_row(navigation: Navigation) -> Story {
     let mut story = Story::start(&[]);
-    story.program.ui_mut().set_navigation(navigation);
     for (key, x) in [(Key::C, "-1.5"), (Key::S, "0"), (Key::P, "1.5")] {
         story.key_with(Modifiers::SHIFT, key);
         story.type_into("Position X", x);
     }
+    story.program.ui_mut().set_navigation(navigation);
     if navigation != Navigation::Mannequin {
         story.key(Key::Num1);
     }

@@ -95,10 +95,10 @@ fn what_was_saved_is_opened_again_and_the_version_before_is_kept() {
 #[test]
 fn what_is_hidden_is_not_selected_when_it_is_opened_and_x_deletes_none_of_it() {
     let mut story = Story::start(&["models/strip.obj"]);
-    story.program.ui_mut().set_navigation(Navigation::Blender);
     for key in [Key::C, Key::S] {
         story.key_with(Modifiers::SHIFT, key);
     }
+    story.program.ui_mut().set_navigation(Navigation::Blender);
     story.key(Key::H);
     story.key_with(CTRL, Key::S);
     story.choose("work/hidden.scene");

@@ -120,17 +120,28 @@ fn keys_of_blender_that_do_nothing_here_say_where_that_is() {
             "There is no local view: Edit ⏵ Hide Others",
         ),
         (SHIFT, Key::R, "Nothing repeats what was done last"),
+        (SHIFT, Key::S, "There is no Snap menu"),
+        (SHIFT, Key::B, "There is no zoom into a box"),
+        (SHIFT, Key::N, "Normals are not recalculated"),
+        (SHIFT, Key::O, "There is no proportional editing"),
+        (SHIFT, Key::I, "Bones take no constraints"),
+        (SHIFT, Key::P, "This key adds no shape"),
     ] {
         story.key_with(modifiers, key);
         let (severity, last) = *story.messages().last().unwrap();
         assert_eq!(severity, Severity::Info);
         assert!(last.starts_with(told), "{key:?}: {last}");
     }
+    // These have the words of the last one, which are told once.
+    for key in [Key::T, Key::U] {
+        story.key_with(SHIFT, key);
+    }
+    assert_eq!(story.names(), ["Strip"], "no shape is added");
     assert_eq!(story.shape().placement, placed);
 }
 
 #[test]
-fn everything_is_fitted_whatever_is_selected_and_by_home_in_blenders_navigation() {
+fn everything_is_fitted_whatever_is_selected_and_by_home_and_shift_c_in_blenders_navigation() {
     let mut story = Story::start(&[]);
     story.key_with(SHIFT, Key::C);
     story.type_into("Position X", "20");
@@ -148,10 +159,14 @@ fn everything_is_fitted_whatever_is_selected_and_by_home_in_blenders_navigation(
     story.key_with(SHIFT, Key::F);
     assert_eq!(story.session().view().camera, all);
 
-    story.key(Key::F);
     story.program.ui_mut().set_navigation(Navigation::Blender);
-    story.key(Key::Home);
-    assert_eq!(story.session().view().camera, all);
+    for (modifiers, key) in [(Modifiers::NONE, Key::Home), (SHIFT, Key::C)] {
+        story.key(Key::Period);
+        assert_ne!(story.session().view().camera, all);
+        story.key_with(modifiers, key);
+        assert_eq!(story.session().view().camera, all);
+    }
+    assert_eq!(story.names(), ["Cube", "Sphere"], "no shape is added");
 }
 
 #[test]

@@ -15,8 +15,8 @@ impl Story {
     /// A cube seen from the front, in the Blender navigation, with the pointer beside it.
     fn with_cube_in_blender() -> Self {
         let mut story = Self::start(&[]);
-        story.program.ui_mut().set_navigation(Navigation::Blender);
         story.key_with(Modifiers::SHIFT, Key::C);
+        story.program.ui_mut().set_navigation(Navigation::Blender);
         story.key(Key::Num1);
         let beside = story.at(Vec3::new(1.0, 0.5, 0.0));
         story.point(beside);
@@ -314,7 +314,8 @@ fn a_ring_turns_and_a_handle_scales_and_a_number_typed_meanwhile_counts() {
 #[test]
 fn all_that_is_selected_turns_and_grows_about_its_middle() {
     let mut story = Story::with_cube_in_blender();
-    story.key_with(Modifiers::SHIFT, Key::S);
+    story.key_with(Modifiers::SHIFT, Key::A);
+    story.click("Sphere");
     story.type_into("Position X", "2");
     story.key_with(Modifiers::COMMAND, Key::A);
     assert_eq!(story.shape().name, "Sphere");

@@ -4,6 +4,7 @@ use super::run::deletes_point;
 use super::table::{ALT, CTRL, NONE, SHIFT, entry_of, meant};
 use super::{COMMANDS, Command, Entry};
 use crate::editor::{Session, Tool};
+use crate::ui::blender_keys::NOT_HERE;
 use crate::ui::{Navigation, UiState};
 use egui::{Context, Id, Key, KeyboardShortcut, Modifiers};
 
@@ -20,6 +21,7 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::Rename, KeyboardShortcut::new(NONE, Key::F2)),
     (Command::FindCommand, KeyboardShortcut::new(NONE, Key::F3)),
     (Command::FitAll, KeyboardShortcut::new(NONE, Key::Home)),
+    (Command::FitAll, KeyboardShortcut::new(SHIFT, Key::C)),
     (Command::Fit, KeyboardShortcut::new(NONE, Key::Period)),
     (Command::BoxSelect, KeyboardShortcut::new(NONE, Key::B)),
     // In place of B, as Ctrl+Tab is the browser's on a page. Tab alone, Blender's, goes from field to field.
@@ -32,10 +34,6 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
         KeyboardShortcut::new(CTRL, Key::Tab),
     ),
 ];
-
-/// Shortcuts that mean something else in Blender, which is not there: Shift+R repeats what was done last, and would put
-/// everything back.
-const OTHERWISE_IN_BLENDER: [KeyboardShortcut; 1] = [KeyboardShortcut::new(SHIFT, Key::R)];
 
 /// Shortcuts that are the browser's on a page: those for its windows and tabs, and the one that reloads.
 const KEPT_BY_BROWSERS: [KeyboardShortcut; 6] = [
@@ -54,6 +52,11 @@ pub fn is_kept_by_browsers(modifiers: Modifiers, key: Key) -> bool {
         .any(|kept| kept.logical_key == key && modifiers.matches_exact(kept.modifiers))
 }
 
+/// Whether a shortcut means something in Blender that is not here.
+fn is_not_here(shortcut: &KeyboardShortcut) -> bool {
+    NOT_HERE.iter().any(|(key, _)| key == shortcut)
+}
+
 impl Entry {
     /// Shortcuts in a navigation, whose own come first and take precedence over the general ones.
     pub(super) fn shortcuts_in(
@@ -65,11 +68,7 @@ impl Entry {
         };
         let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
             Some(only) => only != navigation,
-            None if navigation == Navigation::Blender
-                && OTHERWISE_IN_BLENDER.contains(shortcut) =>
-            {
-                true
-            }
+            None if navigation == Navigation::Blender && is_not_here(shortcut) => true,
             None => {
                 let others = COMMANDS.iter();
                 let mut others = others.filter(|other| other.only_in == Some(navigation));
@@ -238,7 +237,7 @@ mod tests {
             Some(Command::ToggleAxis)
         );
         assert_eq!(
-            command_of(SHIFT, Key::T, Navigation::Blender),
+            command_of(SHIFT, Key::T, Navigation::Course),
             Some(Command::Insert(Primitive::Teapot))
         );
         assert_eq!(
@@ -275,6 +274,10 @@ mod tests {
         assert_eq!(command(SHIFT, Key::R), None, "nothing is repeated");
         let reset = command_of(SHIFT, Key::R, Navigation::Orbit);
         assert_eq!(reset, Some(Command::Reset));
+        assert_eq!(command(SHIFT, Key::C), Some(Command::FitAll));
+        assert_eq!(command(SHIFT, Key::S), None, "nothing snaps");
+        let inserted = command_of(SHIFT, Key::S, Navigation::Orbit);
+        assert_eq!(inserted, Some(Command::Insert(Primitive::Sphere)));
         let poses = Some(Command::SetTool(Tool::Pose));
         assert_eq!(command(CTRL, Key::Tab), poses);
         assert_eq!(command(NONE, Key::J), poses);

@@ -1,0 +1,30 @@
+//! Keys that mean something in Blender which is not here, or goes another way: in its navigation they say so, and start
+//! no command.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(modifiers, key)
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+
+/// Each key with why it does nothing. Those that add a shape in other navigations say how that is done in this one.
+#[rustfmt::skip]
+pub(super) const NOT_HERE: &[(KeyboardShortcut, &str)] = &[
+    (key(NONE, Key::Num5), "The camera is always in perspective: there is no orthographic view"),
+    (key(NONE, Key::Slash), "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back"),
+    (key(NONE, Key::Z), "Shading, colors and looks are chosen in View, looks also beside the axes"),
+    (key(SHIFT, Key::R), "Nothing repeats what was done last. Edit ⏵ Reset puts a shape back to the start"),
+    (key(SHIFT, Key::S), "There is no Snap menu: Ctrl snaps in a drag. Shift+A adds shapes"),
+    (key(SHIFT, Key::B), "There is no zoom into a box: the period key fits what is selected. Shift+A adds curves"),
+    (key(SHIFT, Key::N), "Normals are not recalculated. Shift+A adds curves"),
+    (key(SHIFT, Key::O), "There is no proportional editing. Shift+A adds curves"),
+    (key(SHIFT, Key::I), "Bones take no constraints: the IK tool in Pose bends chains. Shift+A adds shapes"),
+    (key(SHIFT, Key::P), ADDS_ELSEWHERE),
+    (key(SHIFT, Key::T), ADDS_ELSEWHERE),
+    (key(SHIFT, Key::U), ADDS_ELSEWHERE),
+];
+
+const ADDS_ELSEWHERE: &str = "This key adds no shape in Blender's navigation: Shift+A does";
