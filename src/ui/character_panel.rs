@@ -4,14 +4,14 @@ use super::method_view;
 use super::number_field::NumberField;
 use super::state::UiState;
 use super::theme::Palette;
-use super::widgets::{choice, labelled, named, section};
+use super::widgets::{choice, foldable, labelled, named, section};
 use super::{Action, Ask, CompareMeshAction};
 use crate::editor::{Edit, Session, for_all_selected};
 use crate::scene::{
     BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, Look, ModelDisplay,
     ShapeId, SkinningMethod,
 };
-use egui::{Button, CollapsingHeader, Label, RichText, TextEdit, Ui, vec2};
+use egui::{Button, Label, RichText, TextEdit, Ui, vec2};
 
 /// Diameters of points and widths of lines that can be set, in pixels.
 const POINT_SIZES: std::ops::RangeInclusive<f64> = 1.0..=64.0;
@@ -120,8 +120,7 @@ pub(super) fn skinning(
     actions: &mut Vec<Action>,
 ) {
     let method = character.skinning_method();
-    let header = CollapsingHeader::new("Skinning").id_salt("skinning");
-    header.show(ui, |ui| {
+    foldable(ui, "Skinning", "skinning", |ui| {
         let mut changed = method;
         let methods = [
             (
@@ -175,8 +174,7 @@ pub(super) fn poses(
         0 => "Poses".to_owned(),
         count => format!("Poses ({count})"),
     };
-    let header = CollapsingHeader::new(title).id_salt("poses");
-    header.show(ui, |ui| {
+    foldable(ui, &title, "poses", |ui| {
         for (index, kept) in character.poses().iter().enumerate() {
             ui.horizontal(|ui| {
                 let current = kept.pose == *character.pose();

@@ -38,12 +38,12 @@ pub(super) fn is_in_dialog(state: &UiState, input: &ViewInput) -> bool {
     input.question.is_some() || state.search.is_some() || state.windows.is_open(Dialog::Screenshot)
 }
 
-/// Takes the pointer from what lies behind a dialog that was opened, until it moves, and from one of the panels the
-/// keyboard, too: a row of a list would go on by arrow keys. Returns whether a dialog of the panels is open. To be
+/// Takes the pointer from what lies behind a dialog or a window that was opened, until it moves, and behind a dialog of
+/// the panels the keyboard, too: a row of a list would go on by arrow keys. Returns whether a dialog of the panels is open. To be
 /// called before the panels, once a frame.
 pub(super) fn leave_to_dialog(ctx: &Context, state: &mut UiState, input: &ViewInput) -> bool {
     let in_dialog = is_in_dialog(state, input);
-    let lies_below = in_dialog || input.is_below_dialog;
+    let lies_below = in_dialog || input.is_below_dialog || state.windows.is_any_open();
     if lies_below && !state.was_below_dialog {
         // egui goes on showing the tooltip of whatever a pointer that rests is over, above all dialogs.
         forget_buttons(ctx);

@@ -1,12 +1,13 @@
 //! Widgets and helpers shared by several panels.
 
 use super::theme::Palette;
+use egui::collapsing_header::CollapsingState;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
-    Align, Align2, Button, Color32, Context, EventFilter, FontId, Id, Key, Label, Layout,
-    Modifiers, Painter, PointerState, Popup, Pos2, RectAlign, Response, RichText, Tooltip, Ui,
-    Vec2, vec2,
+    Align, Align2, Button, CollapsingHeader, Color32, Context, EventFilter, FontId, Id, Key, Label,
+    Layout, Modifiers, Painter, PointerState, Popup, Pos2, RectAlign, Response, RichText, Sense,
+    Tooltip, Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -21,6 +22,21 @@ pub(super) fn spoken(sign: Response, word: &str) -> Response {
     let ctx = sign.ctx.clone();
     ctx.accesskit_node_builder(sign.id, |node| node.set_value(word));
     sign
+}
+
+/// What is folded away below a heading, and unfolded by a click anywhere in the row of that.
+pub(super) fn foldable(ui: &mut Ui, title: &str, salt: &str, contents: impl FnOnce(&mut Ui)) {
+    let header = CollapsingHeader::new(title).id_salt(salt);
+    let header = header.show(ui, contents).header_response;
+    let row = header.rect.with_max_x(ui.max_rect().right());
+    let rest = row.with_min_x(header.rect.right());
+    // Not in the way of Tab, which stops at the heading.
+    let rest = ui.interact(rest, header.id.with("rest of the row"), Sense::CLICK);
+    if rest.clicked() {
+        let mut state = CollapsingState::load_with_default_open(ui.ctx(), header.id, false);
+        state.toggle(ui);
+        state.store(ui.ctx());
+    }
 }
 
 /// Narrowest and widest tooltip beside an item, in points.

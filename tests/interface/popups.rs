@@ -2,7 +2,7 @@
 
 use crate::interface::Editor;
 use editor_core::scene::{Camera, ShapeColor};
-use egui::{Key, Pos2, pos2};
+use egui::{Key, Modifiers, Pos2, pos2};
 
 /// A place in the view that no menu covers.
 const IN_VIEW: Pos2 = pos2(480.0, 520.0);
@@ -117,12 +117,17 @@ fn a_dialog_is_not_covered_by_the_tooltip_of_what_the_pointer_rests_on() {
         editor.painted().iter().any(|(text, _)| is_tip(text))
     };
     let mut editor = Editor::with_figure();
-    assert!(drag_and_rest(&mut editor), "there is a tooltip");
-    editor.key(Key::F12);
-    assert!(editor.has("Save…"), "the dialog is open");
-    editor.wait();
-    assert!(!editor.painted().iter().any(|(text, _)| is_tip(text)));
-    editor.key(Key::Escape);
+    for (modifiers, key, opened) in [
+        (Modifiers::NONE, Key::F12, "Save…"),
+        (Modifiers::COMMAND, Key::Comma, "Reset to defaults"),
+    ] {
+        assert!(drag_and_rest(&mut editor), "there is a tooltip");
+        editor.key_with(modifiers, key);
+        assert!(editor.has(opened), "{opened} is shown");
+        editor.wait();
+        assert!(!editor.painted().iter().any(|(text, _)| is_tip(text)));
+        editor.key(Key::Escape);
+    }
 
     // A dialog of the program, such as the one for files.
     let mut editor = Editor::with_figure();

@@ -189,6 +189,23 @@ fn poses_are_kept_taken_on_saved_and_forgotten() {
 }
 
 #[test]
+fn a_heading_is_unfolded_and_folded_by_a_click_anywhere_in_its_row() {
+    let mut editor = posed();
+    for (heading, inside) in [("Poses", "Name of the pose"), ("Skinning", "Linear Blend")] {
+        editor.reveal(heading);
+        for is_unfolded in [true, false] {
+            let row = editor.widget(heading).rect();
+            let at = egui::pos2(row.right() + 60.0, row.center().y);
+            editor.harness.hover_at(at);
+            editor.harness.drag_at(at);
+            editor.harness.drop_at(at);
+            editor.wait();
+            assert_eq!(editor.has(inside), is_unfolded, "{heading}");
+        }
+    }
+}
+
+#[test]
 fn a_pose_kept_under_a_name_that_is_taken_replaces_it() {
     let mut editor = posed();
     let id = editor.shape().id;

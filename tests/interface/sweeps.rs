@@ -125,3 +125,22 @@ fn where_no_curve_can_be_carried_the_key_says_why() {
         assert_eq!(fresh.last().map(|told| &*told.text), Some(why));
     }
 }
+
+#[test]
+fn a_surface_that_is_there_already_is_not_made_again_and_the_key_says_so() {
+    for (curves, key) in [
+        (&[ring()][..], Key::V),
+        (&[ring(), path()], Key::W),
+        (&[path(), ring()], Key::W),
+    ] {
+        let (mut editor, _) = with_curves(curves, 0);
+        editor.key_with(Modifiers::SHIFT, key);
+        let made = editor.session().document();
+        assert!(editor.session().messages.fresh().is_empty());
+        editor.key_with(Modifiers::SHIFT, key);
+        let fresh = editor.session().messages.fresh();
+        let told = fresh.last().map(|told| &*told.text);
+        assert_eq!(told, Some("The curve has this surface already"));
+        assert_eq!(editor.session().document(), made);
+    }
+}

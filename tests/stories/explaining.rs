@@ -351,6 +351,14 @@ fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
 }
 
 #[test]
+fn whose_formula_it_is_stands_beside_the_tabs_and_is_none() {
+    let story = bent();
+    assert!(story.has("Formula") && story.has("Matrix Stack"));
+    assert!(story.has_text("of Strip"));
+    assert!(!story.has_text("Strip"), "it would be taken for a tab");
+}
+
+#[test]
 fn the_heading_of_a_matrix_is_one_line_however_many_are_on_the_stack() {
     let mut story = bent();
     story.click("Matrix Stack");

@@ -3,8 +3,8 @@
 use super::hiding::{hidden, others};
 use super::pose_commands::mirror_joints;
 use super::put_back::why_nothing_back;
-use super::run::{character_to_compare, curves, selected_character, selected_curves};
-use super::sweep::sweep;
+use super::run::{character_to_compare, selected_character, selected_curves};
+use super::sweep::{revolution, sweep};
 use super::table::is_in;
 use super::{Command, Menu};
 use crate::editor::{Session, Tool, root_of};
@@ -82,7 +82,8 @@ pub(in crate::ui) fn why_disabled(
         Command::ExportCharacter if selected_character(session).is_none() => {
             Some("No character is selected")
         }
-        Command::ExportCurve | Command::MakeSurfaceOfRevolution => why_no_curves(command, session),
+        Command::ExportCurve if selected_curves(session).is_none() => Some("No curve is selected"),
+        Command::MakeSurfaceOfRevolution => revolution(session).err(),
         Command::MakeSweep => sweep(session).err(),
         _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
         Command::HideOthers if session.selected().is_none() => Some("No shape is selected"),
@@ -146,21 +147,6 @@ fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'sta
         }
         _ => None,
     }
-}
-
-/// Why a command about curves is disabled.
-fn why_no_curves(command: Command, session: &Session) -> Option<&'static str> {
-    let Some((_, set)) = selected_curves(session) else {
-        return Some("No curve is selected");
-    };
-    if command == Command::ExportCurve {
-        return None;
-    }
-    if curves(set).next().is_none() {
-        return Some("The selected shape has no curve");
-    }
-    let flat = curves(set).any(|(_, curve)| curve.is_flat());
-    (!flat).then_some("No curve of the selected shape lies in the plane z = 0")
 }
 
 /// Why a command about poses is disabled.

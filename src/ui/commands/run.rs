@@ -6,14 +6,14 @@ use super::pose_commands::{
     copied_pose, fitted_to_joints, pasted_onto, pose_action, posed_character,
 };
 use super::put_back::put_back;
-use super::sweep::sweep;
+use super::sweep::{revolution, sweep};
 use super::table::label;
 use super::{Command, Entry, Primitive};
 use crate::editor::{
     BoxMode, Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place,
     for_all_selected, set_beside_others,
 };
-use crate::geometry::{Curve, CurveForm};
+use crate::geometry::Curve;
 use crate::scene::{
     Camera, CharacterShape, CurveSet, Evaluated, FitArea, Look, NewShape, Shape, ShapeId, ShapeKind,
 };
@@ -133,7 +133,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::UnpinAll => return Some(Action::Edit(posing::unpin_all(session))),
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive, session)),
-        Command::MakeSurfaceOfRevolution => return revolution(session),
+        Command::MakeSurfaceOfRevolution => return revolution(session).ok(),
         Command::ExportCurve => return export_curves(session),
         Command::ExportGeometry => return Some(Action::Ask(Ask::ExportGeometry)),
         Command::ExportSelected => return Some(Action::Ask(Ask::ExportSelected)),
@@ -344,22 +344,6 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
         Command::ToggleLocalAxes => Some(state.pose.axes == GizmoAxes::Local),
         _ => None,
     }
-}
-
-/// Steps of a new surface of revolution, per turn.
-pub(in crate::ui) const REVOLUTION_STEPS: u32 = 48;
-
-/// A surface of revolution of the last flat spline, or of the last circle if there is no spline.
-fn revolution(session: &Session) -> Option<Action> {
-    let (shape, set) = selected_curves(session)?;
-    let spline = |curve: &Curve| matches!(curve.form(), CurveForm::Spline { .. });
-    let flat = || curves(set).filter(|(_, curve)| curve.is_flat());
-    let (profile, _) = flat().filter(|(_, c)| spline(c)).last().or(flat().last())?;
-    Some(Action::Edit(Edit::MakeSurfaceOfRevolution {
-        shape,
-        profile,
-        steps: REVOLUTION_STEPS,
-    }))
 }
 
 /// Exports the curves of the selected shape.

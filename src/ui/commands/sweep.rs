@@ -1,13 +1,45 @@
-//! Insert ▸ Sweep from Curves: which curve is carried along which.
+//! Insert ▸ Surface of Revolution from Curve and Sweep from Curves: which curve is turned, or carried along which.
 
-use super::run::curves;
+use super::run::{curves, selected_curves};
 use crate::editor::{Edit, Session, View};
 use crate::geometry::{Curve, CurveForm};
-use crate::scene::{CurveSet, Shape, ShapeId, ShapeKind};
+use crate::scene::{CurveItemKind, CurveSet, Shape, ShapeId, ShapeKind};
 use crate::ui::Action;
 use glam::Vec3;
 
-/// The actions that make the surface, or why there is none.
+/// Steps of a new surface of revolution, per turn.
+pub(in crate::ui) const REVOLUTION_STEPS: u32 = 48;
+
+const IS_THERE: &str = "The curve has this surface already";
+
+/// The action that turns the last flat spline, or the last circle if there is no spline, or why there is none.
+///
+/// # Errors
+/// As text for a tooltip.
+pub(super) fn revolution(session: &Session) -> Result<Action, &'static str> {
+    let (shape, set) = selected_curves(session).ok_or("No curve is selected")?;
+    if curves(set).next().is_none() {
+        return Err("The selected shape has no curve");
+    }
+    let is_spline = |curve: &Curve| matches!(curve.form(), CurveForm::Spline { .. });
+    let flat = || curves(set).filter(|(_, curve)| curve.is_flat());
+    let spline = flat().filter(|(_, curve)| is_spline(curve)).last();
+    let (profile, _) = spline
+        .or(flat().last())
+        .ok_or("No curve of the selected shape lies in the plane z = 0")?;
+    let is_there = set.items().iter().any(|item| match item.kind {
+        CurveItemKind::Revolution { profile: of, .. } => of == profile,
+        _ => false,
+    });
+    (!is_there).then_some(()).ok_or(IS_THERE)?;
+    Ok(Action::Edit(Edit::MakeSurfaceOfRevolution {
+        shape,
+        profile,
+        steps: REVOLUTION_STEPS,
+    }))
+}
+
+/// The actions that make the surface of a curve that is carried along another, or why there is none.
 ///
 /// # Errors
 /// As text for a tooltip.
@@ -35,6 +67,9 @@ pub(super) fn sweep(session: &Session) -> Result<Vec<Action>, &'static str> {
 fn within(shape: ShapeId, set: &CurveSet) -> Result<Vec<Action>, &'static str> {
     let sweep = path_of(set).ok_or("The selected shape has no curve")?;
     let profile = curves(set).find(|&(index, curve)| index != sweep && curve.is_flat());
+    if let Some((_, profile)) = profile {
+        check_is_new(set, profile, sweep)?;
+    }
     Ok(vec![Action::Edit(Edit::MakeSweep {
         shape,
         profile: profile.map(|(index, _)| index),
@@ -66,6 +101,7 @@ fn between(
     let profile = scaled(&profile, carried.0.placement.transform.scale)?;
     let (shape, set) = (path.0.id, path.1);
     let sweep = path_of(set).ok_or("One of the selected shapes has no curve")?;
+    check_is_new(set, &profile, sweep)?;
     let copied = Edit::AddCurve(shape, profile);
     let made = Edit::MakeSweep {
         shape,
@@ -76,6 +112,22 @@ fn between(
     // The panel shows the shape that has the surface.
     let select = turned.then_some(Action::View(View::Select(Some(shape))));
     Ok(std::iter::once(edit).chain(select).collect())
+}
+
+/// Refuses a surface that a set has already: of a curve like `profile` that is carried along the curve `sweep`.
+fn check_is_new(set: &CurveSet, profile: &Curve, sweep: usize) -> Result<(), &'static str> {
+    let items = set.items();
+    let is_there = items.iter().any(|item| match item.kind {
+        CurveItemKind::Sweep {
+            profile: of,
+            sweep: along,
+        } => along == sweep && items.get(of).and_then(|item| item.curve()) == Some(profile),
+        _ => false,
+    });
+    match is_there {
+        true => Err(IS_THERE),
+        false => Ok(()),
+    }
 }
 
 /// The curve of a set that another one is carried along.

@@ -89,7 +89,8 @@ fn header(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
             let name = state.character.and_then(|id| session.scene().shape(id));
             if let Some(shape) = name {
                 let color = Palette::of(ui.visuals()).weak;
-                ui.add(Label::new(RichText::new(&shape.name).color(color)).truncate());
+                let whose = RichText::new(format!("of {}", shape.name));
+                ui.add(Label::new(whose.small().color(color)).truncate());
             }
         });
     });
