@@ -120,6 +120,14 @@ impl ToldMistake {
         }
     }
 
+    /// A mistake that is made in the way `how`.
+    pub(super) fn made(mistake: &Mistake, how: String) -> Self {
+        Self {
+            how: how.into(),
+            ..Self::whole(mistake)
+        }
+    }
+
     /// A mistake that is made in one way.
     pub(super) fn whole(mistake: &Mistake) -> Self {
         Self {
@@ -212,10 +220,9 @@ impl Diagnosis {
     /// The same, where mistakes, each made in the way that stands with it, together give the mesh but for `error`, by the
     /// size.
     pub fn explained_by(self, mistakes: Vec<(&'static Mistake, String)>, error: f64) -> Self {
-        let told = mistakes.into_iter().map(|(mistake, how)| ToldMistake {
-            how: how.into(),
-            ..ToldMistake::whole(mistake)
-        });
+        let told = mistakes
+            .into_iter()
+            .map(|(mistake, how)| ToldMistake::made(mistake, how));
         let mistakes: Vec<ToldMistake> = told.collect();
         Self {
             verdict: Verdict::Explained,

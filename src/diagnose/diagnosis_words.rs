@@ -294,6 +294,24 @@ fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) ->
     write!(f, "\n  look at  {LOOK_AT_POSE}")
 }
 
+/// Mistakes that are made together, and where to look for them.
+struct Together(Vec<ToldMistake>);
+
+impl fmt::Display for Together {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt_mistakes(&self.0, f)?;
+        fmt_where(&self.0, f)
+    }
+}
+
+/// Mistakes that are made together, each in the way that stands with it, in words, with where to look for them.
+pub fn in_words(mistakes: Vec<(&'static Mistake, String)>) -> String {
+    let told = mistakes
+        .into_iter()
+        .map(|(mistake, how)| ToldMistake::made(mistake, how));
+    Together(told.collect()).to_string()
+}
+
 /// Mistakes that are made together, in words.
 pub(super) fn fmt_mistakes(mistakes: &[ToldMistake], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if let [mistake] = mistakes {

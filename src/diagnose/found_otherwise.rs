@@ -136,6 +136,16 @@ pub static ANGLES_KEPT: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in what is done first, which grading finds in the results of all tests.
+pub static POSE_LATE: Mistake = Mistake {
+    id: "pose-late",
+    meaning: "the mesh is that of the pose before",
+    section: SLIDERS,
+    look_at: "the order in which things are done: once the angles are set updateCurrentJointToWorldTransforms and then \
+              updateMeshVertices run, and the mesh is written or drawn only after that",
+    readings: &[],
+};
+
 /// A mistake in how weights are read, which changes all rows.
 pub(super) static WEIGHT_ROWS_DRIFT: Mistake = Mistake {
     id: "weight-rows-drift",
@@ -201,7 +211,7 @@ fn scale_angles(formula: &mut Formula, pi: f64) {
 }
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 16] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 17] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
@@ -216,6 +226,7 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 16] = [
     &VERTEX_WITHOUT_W,
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
+    &POSE_LATE,
     &MOVED_AS_A_WHOLE,
     &PICTURE_TURNED,
 ];

@@ -47,14 +47,14 @@ mod weight_formula;
 mod whole_program;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
-pub use diagnosis_words::{of_size, part_of_size};
+pub use diagnosis_words::{in_words, of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
     About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
     JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations, Rounded, Rows,
     Shaped, VertexOrder, WeightFormula,
 };
-pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, SUM_NOT_RESET};
+pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, POSE_LATE, SUM_NOT_RESET};
 pub use job::MeshJob;
 pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};

@@ -1,6 +1,7 @@
 //! What the file of one test is.
 
 use super::kept::FROM_OTHER_TESTS;
+use crate::diagnose::{Mistake, POSE_LATE};
 use serde::{Deserialize, Serialize};
 
 /// What became of a test.
@@ -70,8 +71,19 @@ pub struct Graded {
     pub posed: f64,
     /// Of a picture that nothing explains, the test whose mesh of the submission it shows, by name.
     pub shows: Option<String>,
+    /// The other tests of which it is a result.
+    pub of_tests: Vec<OfTest>,
     /// A PNG that shows what is off, as Base64.
     pub picture: Option<String>,
+}
+
+/// Another test, of which a file is a result.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OfTest {
+    /// Name of the test.
+    pub name: String,
+    /// Mistakes that together give the file in it, by name, those that are told first; empty if it is the exact result.
+    pub with: Vec<Vec<String>>,
 }
 
 impl Graded {
@@ -87,6 +99,7 @@ impl Graded {
             agrees: 0.0,
             posed: 0.0,
             shows: None,
+            of_tests: Vec::new(),
             picture: None,
         }
     }
@@ -121,14 +134,34 @@ impl Graded {
         )
     }
 
-    /// The same, where it is known to be what the mistakes `ids` give in another test.
-    pub(super) fn of_other_test_with(self, name: &str, ids: &str) -> Self {
+    /// The same, where it is known to be what mistakes give in the test `other`.
+    pub(super) fn of_other_test_with(self, other: &OfTest) -> Self {
+        let name = &other.name;
+        let ids = other
+            .with
+            .first()
+            .map_or(String::new(), |ids| ids.join(" and "));
         self.posed_by_other(
             format!(
                 "another test: this is the result of {name}, with {ids}, so that the file may have the wrong name, or \
                  the program may read that pose for every test"
             ),
             format!("the result of {name}, with {ids}"),
+        )
+    }
+
+    /// The same, where all meshes of the character that are handed in are a result of the test `other`.
+    pub(super) fn of_one_test(self, other: &OfTest) -> Self {
+        let what = match other.with.first() {
+            None => other.name.clone(),
+            Some(ids) => format!("{}, with {}", other.name, ids.join(" and ")),
+        };
+        self.posed_by_other(
+            format!(
+                "another test: this is the result of {what}, as all meshes of this character are, so that the program \
+                 may go on with one pose, or write one mesh, for every test"
+            ),
+            format!("the result of {what}, as in all tests"),
         )
     }
 
@@ -153,14 +186,28 @@ impl Graded {
         }
     }
 
+    /// Whether nothing tells against another pose than that of its test: it is wrong, and not by a mistake that no pose
+    /// makes.
+    pub(super) fn may_be_of_other_pose(&self) -> bool {
+        let is_of_angles =
+            |id: &String| Mistake::find(id).is_some_and(|it| it.section == POSE_LATE.section);
+        match self.outcome {
+            Outcome::OtherPose | Outcome::Unexplained => true,
+            Outcome::Explained => {
+                let mut causes = self.causes.iter();
+                causes.any(|ids| ids.iter().all(is_of_angles))
+            }
+            _ => false,
+        }
+    }
+
     /// Whether it follows from all tests, and not from its own alone.
     pub fn is_of_all_tests(&self) -> bool {
         let is_of_others = |ids: &Vec<String>| {
             let mut ids = ids.iter();
             ids.any(|id| FROM_OTHER_TESTS.iter().any(|mistake| mistake.id == id))
         };
-        matches!(self.outcome, Outcome::OtherPose | Outcome::Unexplained)
-            || self.causes.iter().any(is_of_others)
+        self.may_be_of_other_pose() || self.causes.iter().any(is_of_others)
     }
 }
 

@@ -115,6 +115,16 @@ fn kept_by(
     found.next()
 }
 
+/// The orders in which a program may have made tests: that of their file or of their names, forwards or backwards.
+pub(super) fn orders<'a, T: Copy>(of_file: &[T], name: impl Fn(&T) -> &'a str) -> [Vec<T>; 4] {
+    let of_file = of_file.to_vec();
+    let mut by_name = of_file.clone();
+    by_name.sort_by(|a, b| name(a).cmp(name(b)));
+    let backwards = |order: &[T]| order.iter().rev().copied().collect();
+    let (file_backwards, name_backwards) = (backwards(&of_file), backwards(&by_name));
+    [of_file, file_backwards, by_name, name_backwards]
+}
+
 /// The tests, where they are several, that come before `own` in the orders in which a program may have made all of them.
 fn come_before<'a>(
     own: &Posed<'a>,
@@ -122,19 +132,14 @@ fn come_before<'a>(
     after: &[Posed<'a>],
 ) -> Vec<Vec<Posed<'a>>> {
     let of_file = [before, std::slice::from_ref(own), after].concat();
-    let mut by_name = of_file.clone();
-    by_name.sort_by_key(|test| test.name);
     let mut found: Vec<Vec<Posed>> = Vec::new();
-    for mut order in [of_file, by_name] {
-        for _ in 0..2 {
-            let come_before = order.iter().take_while(|test| test.name != own.name);
-            let come_before: Vec<Posed> = come_before.copied().collect();
-            let names = |tests: &[Posed<'a>]| tests.iter().map(|it| it.name).collect::<Vec<_>>();
-            let is_known = found.iter().any(|it| names(it) == names(&come_before));
-            if come_before.len() > 1 && !is_known {
-                found.push(come_before);
-            }
-            order.reverse();
+    for order in orders(&of_file, |test| test.name) {
+        let come_before = order.iter().take_while(|test| test.name != own.name);
+        let come_before: Vec<Posed> = come_before.copied().collect();
+        let names = |tests: &[Posed<'a>]| tests.iter().map(|it| it.name).collect::<Vec<_>>();
+        let is_known = found.iter().any(|it| names(it) == names(&come_before));
+        if come_before.len() > 1 && !is_known {
+            found.push(come_before);
         }
     }
     found

@@ -8,6 +8,7 @@ mod csv;
 mod found;
 mod graded;
 mod kept;
+mod late;
 mod mistake_section;
 mod name;
 mod page;

@@ -1,6 +1,7 @@
 //! Files that several mistakes give alike: the other meshes of the submission tell which of them it makes.
 
 use super::graded::Graded;
+use super::late::settle_late;
 use super::rubric::points_left;
 use crate::diagnose::POSE_NOT_APPLIED;
 use crate::io::{TestData, TestKind, TestsFile};
@@ -15,10 +16,11 @@ struct Given {
     points: f64,
 }
 
-/// Of the explanations of each mesh, brings forward the one that most meshes of the submission have, of as many the one
+/// Has meshes count as late that are in the poses of the tests before. Of the explanations of each mesh, brings forward the one that most meshes of the submission have, of as many the one
 /// that costs least, and of those of each picture the one with mistakes that its meshes show, or else the one that most
 /// pictures have. `graded` has the results of the tests of `file`, in their order.
 pub(super) fn settle(file: &TestsFile, graded: &mut [Graded]) {
+    settle_late(file, graded);
     let all = file.tests.iter().zip(graded);
     let (mut meshes, mut pictures): (Vec<_>, Vec<_>) =
         all.partition(|(test, _)| test.kind == TestKind::Mesh);

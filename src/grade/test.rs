@@ -205,13 +205,16 @@ impl Test {
                         .text
                         .extend(told.map(|warning| format!("\n  warning  {warning}")));
                 }
+                graded.of_tests = match &with_mistakes {
+                    Some(other) => vec![other.clone()],
+                    None if graded.may_be_of_other_pose() => self.others_of_mesh(tests, &theirs),
+                    None => Vec::new(),
+                };
                 match (of_other, in_pose_of) {
                     (Some(test), _) => graded.of_other_test(&test.data.name),
                     (None, Some(test)) => graded.in_pose_of_other_test(&test.data.name),
                     (None, None) => match with_mistakes {
-                        Some((test, ids)) => {
-                            graded.of_other_test_with(&test.data.name, &ids.join(" and "))
-                        }
+                        Some(other) => graded.of_other_test_with(&other),
                         None => graded,
                     },
                 }
@@ -259,6 +262,7 @@ impl Test {
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
             shows: None,
+            of_tests: Vec::new(),
             picture: if is_right { None } else { drawn() },
         }
     }
@@ -317,6 +321,7 @@ impl Test {
             posed: 0.0,
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
             shows: None,
+            of_tests: Vec::new(),
             picture: if found.verdict == Verdict::Right {
                 None
             } else {

@@ -6,6 +6,7 @@ mod commands;
 mod documents;
 mod files;
 mod hostile;
+mod late;
 mod parts;
 mod report;
 mod support;

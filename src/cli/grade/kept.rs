@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
 /// Version of the form of what is kept.
-pub(super) const VERSION: u32 = 4;
+pub(super) const VERSION: u32 = 5;
 
 /// A run as a whole.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -41,7 +41,7 @@ struct Done {
 
 /// What came of a file: nothing is known of one whose making was interrupted.
 enum Made {
-    Graded(Graded),
+    Graded(Box<Graded>),
     Interrupted,
 }
 
@@ -127,7 +127,7 @@ impl Work<'_> {
                                 has_run = true;
                                 KeptResult {
                                     key: self.key(test, files, &graded),
-                                    graded,
+                                    graded: *graded,
                                 }
                             }
                             Made::Interrupted => {
@@ -239,7 +239,7 @@ impl Work<'_> {
             Err(CommandFailure::Missing(text)) => without(&text),
             Err(CommandFailure::Failed(text)) => Graded::without(Outcome::Failed, text),
         };
-        Ok(Made::Graded(graded))
+        Ok(Made::Graded(graded.into()))
     }
 
     /// Whether a result of an earlier run is that of the same files.

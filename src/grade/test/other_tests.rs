@@ -1,5 +1,7 @@
 //! What a file has to do with the other tests: it may be a result of one of them, or keep something of it.
 
+use super::super::found::explanations;
+use super::super::graded::OfTest;
 use super::super::kept::{self, Posed};
 use super::super::rubric::MOSTLY_POSED;
 use super::Test;
@@ -59,14 +61,24 @@ impl Test {
         others.find(|test| is_of(test))
     }
 
-    /// Another one of `tests` that a mesh is what mistakes give in, and the names of these; where it is mostly right in its
-    /// own test it is not.
-    pub(super) fn other_with_mistakes<'a>(
+    /// The others of `tests` that are of this character and of which a mesh is the exact result.
+    pub(super) fn others_of_mesh(&self, tests: &[Self], theirs: &Mesh) -> Vec<OfTest> {
+        let others = tests.iter().filter(|test| test.data.name != self.data.name);
+        let of = others.filter(|test| test.has_character_of(self) && test.is_right(theirs));
+        let exact = of.map(|test| OfTest {
+            name: test.data.name.clone(),
+            with: Vec::new(),
+        });
+        exact.collect()
+    }
+
+    /// Another one of `tests` that a mesh is what mistakes give in; where it is mostly right in its own test it is not.
+    pub(super) fn other_with_mistakes(
         &self,
-        tests: &'a [Self],
+        tests: &[Self],
         found: &Diagnosis,
         theirs: &Mesh,
-    ) -> Option<(&'a Self, Vec<&'static str>)> {
+    ) -> Option<OfTest> {
         let own = found.other_pose.as_ref();
         let is_mostly_posed = own.is_some_and(|other| other.as_expected > MOSTLY_POSED);
         if is_mostly_posed || found.nearly_right().is_some() {
@@ -75,7 +87,10 @@ impl Test {
         let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
         others.find_map(|test| {
             let found = diagnose(&test.character, &test.pose, theirs).ok()?;
-            (found.verdict == Verdict::Explained).then(|| (test, found.together()))
+            (found.verdict == Verdict::Explained).then(|| OfTest {
+                name: test.data.name.clone(),
+                with: explanations(found.together(), &found.same_as),
+            })
         })
     }
 
