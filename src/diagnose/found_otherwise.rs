@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
 pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
-    id: "triangles-turned",
+    id: super::TRIANGLES_TURNED,
     meaning: "triangles wind the other way, so that normals point the other way",
     section: MESH,
     look_at: "where faces are read and written: the order of their three corners",
@@ -16,7 +16,7 @@ pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
 
 /// The same where triangles of the character are missing, whether or not there are others in their place.
 pub(super) static TRIANGLES_DIFFER: Mistake = Mistake {
-    id: "triangles-differ",
+    id: super::TRIANGLES_DIFFER,
     meaning: "triangles of the model are missing, or others are in their place",
     section: MESH,
     look_at: "where faces are read and written: whether all of them are, each with the indices of its own three \

@@ -55,6 +55,10 @@ pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
 pub const VERTEX_MISSING: &str = "vertex-missing";
 /// Name of the mistake that there is one more.
 pub const VERTEX_TOO_MANY: &str = "vertex-too-many";
+/// Name of the mistake that triangles wind the other way.
+pub const TRIANGLES_TURNED: &str = "triangles-turned";
+/// Name of the mistake that triangles are missing, or others are in their place.
+pub const TRIANGLES_DIFFER: &str = "triangles-differ";
 /// Name of the mistake that a picture is upside down or mirrored.
 pub const PICTURE_TURNED: &str = "picture-turned";
 

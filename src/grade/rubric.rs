@@ -3,7 +3,8 @@
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
 use crate::diagnose::{
-    MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, VERTEX_MISSING, VERTEX_TOO_MANY,
+    MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, TRIANGLES_DIFFER,
+    TRIANGLES_TURNED, VERTEX_MISSING, VERTEX_TOO_MANY,
 };
 use crate::io::{
     OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
@@ -23,6 +24,9 @@ const LEFT_BY_LITTLE: &[(&str, f64)] = &[
     (RIGHT_BUT_FOR_FEW, 0.9),
     (VERTEX_MISSING, 0.9),
     (VERTEX_TOO_MANY, 0.9),
+    // Posing does nothing to faces, which a file may even leave out.
+    (TRIANGLES_DIFFER, 0.9),
+    (TRIANGLES_TURNED, 0.9),
     (RIGHT_BUT_FOR_DIGITS, 0.9),
     (MOVED_AS_A_WHOLE, 0.75),
     (PICTURE_TURNED, 0.75),
@@ -214,7 +218,7 @@ pub(super) mod tests {
             (&["euler-zyx", "one-axis-ignored-x"], [1.5, 10.0]),
             // Sections 3.2 and 4.1 have no points in this test.
             (&["parent-missing"], [3.0, 10.0]),
-            (&["triangles-turned"], [6.0, 5.0]),
+            (&["vertices-renumbered"], [6.0, 5.0]),
         ] {
             assert_eq!(
                 given(TWO, &explained(&[causes]), &rubric),
@@ -245,7 +249,7 @@ pub(super) mod tests {
     #[test]
     fn a_mistake_whose_section_is_not_in_the_test_costs_points_once_in_the_nearest_one() {
         let rubric = RubricData::default();
-        let turned = explained(&[&["triangles-turned"]]);
+        let renumbered = explained(&[&["vertices-renumbered"]]);
         for (sections, expected) in [
             (
                 &[("3.4", 4.0), ("4.1", 4.0), ("4.2", 4.0)][..],
@@ -261,13 +265,17 @@ pub(super) mod tests {
             (&[("2", 4.0), ("5.1", 4.0), ("5.2", 4.0)], [4.0, 2.0, 4.0]),
             (&[("a", 4.0), ("b", 8.0), ("c", 8.0)], [4.0, 4.0, 8.0]),
         ] {
-            assert_eq!(given(sections, &turned, &rubric), expected, "{sections:?}");
+            assert_eq!(
+                given(sections, &renumbered, &rubric),
+                expected,
+                "{sections:?}"
+            );
         }
-        let elsewhere = counted_elsewhere(&test(TWO), &turned, &rubric);
+        let elsewhere = counted_elsewhere(&test(TWO), &renumbered, &rubric);
         let [(mistake, section)] = &elsewhere[..] else {
             panic!("{elsewhere:?}");
         };
-        assert_eq!((mistake.id, &**section), ("triangles-turned", "4.2"));
+        assert_eq!((mistake.id, &**section), ("vertices-renumbered", "4.2"));
     }
 
     #[test]
@@ -333,11 +341,15 @@ pub(super) mod tests {
             agrees,
             ..Graded::without(Outcome::Unexplained, "")
         };
-        // One vertex too few is as little.
-        assert_eq!(
-            given(TWO, &explained(&[&["vertex-missing"]]), &rubric),
-            [6.0, 9.0]
-        );
+        // One vertex too few is as little, and so are wrong triangles.
+        for id in [
+            "vertex-missing",
+            "vertex-too-many",
+            "triangles-differ",
+            "triangles-turned",
+        ] {
+            assert_eq!(given(TWO, &explained(&[&[id]]), &rubric), [6.0, 9.0]);
+        }
         let few = nearly(&["right-but-for-few"], 0.998);
         assert_eq!(given(TWO, &few, &rubric), [6.0, 9.0]);
         let told = why(&test(TWO), &few, &rubric);

@@ -768,10 +768,10 @@ fn triangles_that_are_wrong_cost_as_much_where_a_vertex_is_off_as_well() {
     );
     let report = class.graded();
     let eve = result(&report, "eve", "robot-1");
-    assert_eq!(eve["points"], json!({"4.1": 2.0, "4.2": 9.0}));
+    assert_eq!(eve["points"], json!({"4.1": 3.6, "4.2": 9.0}));
     let why = [
         "right-but-for-few leaves 90 % of 4.2",
-        "triangles-turned leaves 50 % of 4.1",
+        "triangles-turned leaves 90 % of 4.1",
     ];
     assert_eq!(eve["why"], json!(why));
 }
