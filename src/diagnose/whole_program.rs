@@ -12,6 +12,7 @@ use super::skin::Skinner;
 use super::small_weights;
 use crate::steps::Pace;
 use glam::{DVec3, Vec3};
+use std::f64::consts::PI;
 
 /// Factors of the angles from which on the right one is sought.
 const FACTORS: [f64; 3] = [1.0, 2.0, 0.5];
@@ -127,14 +128,36 @@ async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation>
             continue;
         }
         if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
-            let rounded = (factor * 1e5).round() / 1e5;
             return Some(Explanation {
-                how: Some(format!("each is {rounded} times as large")),
+                how: Some(told_factor(factor)),
                 ..given
             });
         }
     }
     None
+}
+
+/// A π that programs have, in words, and by how much it is another one than π. One of 3.1416 or more digits cannot be told
+/// from π.
+#[expect(clippy::approx_constant, reason = "they are meant to be coarse")]
+const COARSE_PIS: [(&str, f64); 6] = [
+    ("3", 3.0),
+    ("3.1", 3.1),
+    ("3.14", 3.14),
+    ("3.141", 3.141),
+    ("3.142", 3.142),
+    ("22/7", 22.0 / 7.0),
+];
+/// How many units of the last digit that a factor has in words are 1.
+const UNITS_OF_FACTOR: f64 = 1e5;
+
+/// The factor of angles in words, with the coarse π that makes it, if one does.
+fn told_factor(factor: f64) -> String {
+    let rounded = (factor * UNITS_OF_FACTOR).round() / UNITS_OF_FACTOR;
+    let is_by = |pi: f64| (pi / PI - factor).abs() * UNITS_OF_FACTOR <= 0.5;
+    let by = COARSE_PIS.iter().find(|(_, pi)| is_by(*pi));
+    let by = by.map_or(String::new(), |(name, _)| format!(", as by a π of {name}"));
+    format!("each is {rounded} times as large{by}")
 }
 
 /// That the sum goes on from vertex to vertex.

@@ -178,6 +178,11 @@ impl Report {
 pub(super) const NEARLY: &str = "nearly ";
 
 impl GradedTest {
+    /// Whether nothing is known of what is wrong with it.
+    pub(super) fn is_unknown(&self) -> bool {
+        self.outcome == Outcome::Unexplained && self.summary().starts_with(self.outcome.word())
+    }
+
     /// The mistakes of the text by name, or else the word for what the file is, and what more is known of it.
     pub fn summary(&self) -> String {
         let Some(mistakes) = self.causes.first() else {

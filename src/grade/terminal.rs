@@ -15,7 +15,8 @@ const WAITING: &str = "wait: points that are still to be given by hand, by \"giv
 
 impl Report {
     /// Lines for a terminal: a heading, a row for each submission, what points that wait are, mistakes that several of
-    /// them have, which of them cost points in another section than their own, and why files could not be graded.
+    /// them have, which of them cost points in another section than their own, why files could not be graded, and who has
+    /// files that a person has to look at.
     pub fn to_lines(&self) -> Vec<String> {
         let heading = ["submission".to_owned(), "points".to_owned()].into_iter();
         let heading = heading.chain(self.sections.iter().map(|section| section.section.clone()));
@@ -71,6 +72,7 @@ impl Report {
         }
         lines.extend(self.elsewhere());
         lines.extend(self.reasons());
+        lines.extend(self.to_look_at());
         lines
     }
 
@@ -105,16 +107,41 @@ impl Report {
         }
         let all = self.submissions.len();
         by_reason.into_iter().map(move |((word, reason), names)| {
-            let told: Vec<&str> = names.iter().map(Name::as_str).take(NAMES).collect();
+            let told: Vec<&str> = names.iter().map(Name::as_str).collect();
             let who = match names.len() {
                 count if count == all && all > 1 => format!("all {all} submissions"),
-                count if count > NAMES => {
-                    format!("{} and {} more", told.join(", "), count - NAMES)
-                }
-                _ => told.join(", "),
+                _ => some_of(&told, ", "),
             };
             format!("{word}: {reason} ({who})")
         })
+    }
+
+    /// Who has files of which nothing is known, with their tests unless it is all of them.
+    fn to_look_at(&self) -> Option<String> {
+        let who = self.submissions.iter().filter_map(|submission| {
+            let unknown = submission.tests.iter().filter(|test| test.is_unknown());
+            let unknown: Vec<&str> = unknown.map(|test| &*test.test).collect();
+            let name = &submission.name;
+            match unknown.len() {
+                0 => None,
+                count if count == submission.tests.len() => Some(name.clone()),
+                _ => Some(format!("{name}: {}", unknown.join(", "))),
+            }
+        });
+        let who: Vec<String> = who.collect();
+        let who: Vec<&str> = who.iter().map(String::as_str).collect();
+        let word = Outcome::Unexplained.word();
+        (!who.is_empty())
+            .then(|| format!("{word}: to be looked at by hand ({})", some_of(&who, "; ")))
+    }
+}
+
+/// The first of `names`, and how many more there are.
+fn some_of(names: &[&str], separator: &str) -> String {
+    let told = names[..names.len().min(NAMES)].join(separator);
+    match names.len().saturating_sub(NAMES) {
+        0 => told,
+        more => format!("{told} and {more} more"),
     }
 }
 

@@ -14,7 +14,8 @@ use crate::diagnose::{
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
-    RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, read_posed_vertices,
+    RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, markup,
+    read_posed_vertices,
 };
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -142,6 +143,7 @@ impl Test {
         let name = self.file_name();
         let bytes = &*in_utf8(bytes);
         if let Ok(text) = std::str::from_utf8(bytes)
+            && markup(text).is_none()
             && !text.lines().any(is_vertex)
         {
             return Graded::without(Outcome::Blank, no_vertices(text));

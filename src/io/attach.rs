@@ -1,5 +1,4 @@
 use super::encoding::in_utf8;
-use super::numbers::finite;
 use super::scanner::{STRETCH, Scanner};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Attachments, Influence};
@@ -109,9 +108,7 @@ fn read_row(
                         let message = format!("expected {}, found {found}", expected());
                         return Err(scanner.error(first_too_many, message));
                     }
-                    Some(word) => {
-                        finite(word.text).ok_or_else(|| scanner.expected("a weight", Some(word)))?
-                    }
+                    word => scanner.number_of(word, "a weight")?,
                 }
             }
         };

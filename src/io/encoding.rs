@@ -68,7 +68,7 @@ pub(super) fn no_text(bytes: &[u8]) -> Option<String> {
 
 /// What `text` is that begins with a tag, as no line of ours does: saved under a name that is not its own, or in place
 /// of what a page links to.
-pub(super) fn markup(text: &str) -> Option<&'static str> {
+pub fn markup(text: &str) -> Option<&'static str> {
     let text = text.trim_start();
     let begins = |with: &str| {
         let start = text.get(..with.len());

@@ -1,7 +1,6 @@
 use super::diagnostic::Warnings;
 use super::encoding::in_utf8;
 use super::mtl::{self, Libraries};
-use super::numbers::finite;
 use super::obj;
 use super::obj_counts::Counts;
 use super::obj_face_reader::FaceReader;
@@ -124,8 +123,10 @@ impl<'a> ShapeReader<'a> {
             Some("vt") => {
                 let u = self.scanner.number("a number for u")?;
                 let word = self.scanner.word();
-                let v = word.map_or(Some(0.0), |word| finite(word.text));
-                let v = v.ok_or_else(|| self.scanner.expected("a number for v", word))?;
+                let v = match word {
+                    None => 0.0,
+                    word => self.scanner.number_of(word, "a number for v")?,
+                };
                 self.data.texture.push(Vec2::new(u, v));
                 self.faces.counts[1] += 1;
             }

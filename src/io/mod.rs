@@ -53,7 +53,7 @@ pub use archive::{WithArchives, to_zip, unpacked};
 pub use attach::read_attach;
 pub use content_kind::extension_of;
 pub use diagnostic::{Diagnostic, Imported, Position};
-pub use encoding::in_utf8;
+pub use encoding::{in_utf8, markup};
 pub use export::{TooFarOut, export_obj};
 pub use export_character::{CharacterFiles, NotExpressible, export_character, left_out_of_course};
 pub use export_materials::{ObjWithMaterials, export_obj_with_materials};

@@ -1,7 +1,6 @@
 //! Lines of `.obj` files, as characters and shapes share them, and the mesh of a character.
 
 use super::encoding::in_utf8;
-use super::numbers::finite;
 use super::obj_face_reader::FaceReader;
 use super::scanner::{STRETCH, Scanner};
 use super::{Diagnostic, Imported};
@@ -156,7 +155,7 @@ pub(super) fn read_position(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
     let Some(fourth) = scanner.word() else {
         return Ok(position);
     };
-    let weight = finite(fourth.text).ok_or_else(|| scanner.expected("a number", Some(fourth)))?;
+    let weight = scanner.number_of(Some(fourth), "a number")?;
     if scanner.word().is_some() {
         return Ok(position);
     }

@@ -202,8 +202,21 @@ impl<'a> Scanner<'a> {
             return Ok(number);
         }
         let word = self.word();
-        word.and_then(|word| finite(word.text))
-            .ok_or_else(|| self.expected(what, word))
+        self.number_of(word, what)
+    }
+
+    /// `word`, of this line, as a finite number.
+    ///
+    /// # Errors
+    /// As [`Scanner::number`].
+    pub fn number_of(&self, word: Option<Word>, what: &str) -> Result<f32, Diagnostic> {
+        let number = word.and_then(|word| finite(word.text));
+        number.ok_or_else(|| match word {
+            Some(word) if has_decimal_comma(word.text) => {
+                self.expected(&format!("{what} with a decimal point"), Some(word))
+            }
+            word => self.expected(what, word),
+        })
     }
 
     /// The next word, if it is a number of the usual spelling; else nothing is read but white space.
@@ -243,6 +256,18 @@ impl<'a> Scanner<'a> {
             word => Err(self.expected("the end of the line", word)),
         }
     }
+}
+
+/// Whether `word` is a number but for a comma in the place of its point, as programs write it that follow the language of
+/// the system.
+fn has_decimal_comma(word: &str) -> bool {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let parts = word.split_once(',');
+    parts.is_some_and(|(whole, decimals)| {
+        is_digit(whole.chars().next_back())
+            && is_digit(decimals.chars().next())
+            && finite(&format!("{whole}.{decimals}")).is_some()
+    })
 }
 
 /// `text` in quotes, shortened and without control characters, fit for a message.
@@ -303,6 +328,23 @@ mod tests {
             error.to_string(),
             "a:1:4: expected z, found the end of the line"
         );
+    }
+
+    #[test]
+    fn a_decimal_comma_is_named_and_other_commas_are_not() {
+        let error = |text: &str| {
+            let mut scanner = Scanner::new(Path::new("a"), text.as_bytes()).unwrap();
+            scanner.number("a number").unwrap_err().to_string()
+        };
+        for text in ["0,58", "-1,0e3", "12,5 1"] {
+            let word = text.split(' ').next().unwrap();
+            let told = format!("a:1:1: expected a number with a decimal point, found “{word}”");
+            assert_eq!(error(text), told);
+        }
+        for text in ["1,2,3", "1,", ",5", "0.5,1", "a,b"] {
+            let told = format!("a:1:1: expected a number, found “{text}”");
+            assert_eq!(error(text), told);
+        }
     }
 
     #[test]

@@ -1,5 +1,4 @@
 use super::encoding::in_utf8;
-use super::numbers::finite;
 use super::scanner::{Scanner, Word, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Joint, SkeletalModel, SkeletonError};
@@ -74,8 +73,7 @@ pub fn read_skel(path: &Path, bytes: &[u8]) -> Result<Imported<SkeletalModel>, D
 }
 
 fn read_row<'a>(scanner: &mut Scanner<'a>, first: Word<'a>) -> Result<Row<'a>, Diagnostic> {
-    let x = finite(first.text)
-        .ok_or_else(|| scanner.expected("a number for the joint's x", Some(first)))?;
+    let x = scanner.number_of(Some(first), "a number for the joint's x")?;
     let y = scanner.number("a number for the joint's y")?;
     let z = scanner.number("a number for the joint's z")?;
     let word = scanner.word();

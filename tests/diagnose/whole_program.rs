@@ -32,19 +32,38 @@ fn angles_by_a_coarse_pi_are_named_and_by_a_fine_one_they_are_right() {
             61,
         )
     };
-    for (found, factor) in [
-        (of_pi(|degrees| degrees * 3.14 / 180.0), 0.99949),
-        (of_pi(|degrees| degrees * 22.0 / 7.0 / 180.0), 1.0004),
-        (of_pi(|degrees| degrees * 3.0 / 180.0), 0.95493),
+    for (found, how) in [
+        (
+            of_pi(|degrees| degrees * 3.14 / 180.0),
+            "0.99949 times as large, as by a π of 3.14",
+        ),
+        (
+            of_pi(|degrees| degrees * 3.141 / 180.0),
+            "0.99981 times as large, as by a π of 3.141",
+        ),
+        (
+            of_pi(|degrees| degrees * 22.0 / 7.0 / 180.0),
+            "1.0004 times as large, as by a π of 22/7",
+        ),
+        (
+            of_pi(|degrees| degrees * 3.0 / 180.0),
+            "0.95493 times as large, as by a π of 3",
+        ),
+        (
+            of_pi(|degrees| degrees * 3.13 / 180.0),
+            "0.99631 times as large",
+        ),
         // As if a turn had 180 degrees.
-        (of_pi(|degrees| 2.0 * degrees.to_radians()), 2.0),
-        (of_pi(|degrees| 0.5 * degrees.to_radians()), 0.5),
+        (
+            of_pi(|degrees| 2.0 * degrees.to_radians()),
+            "2 times as large",
+        ),
+        (
+            of_pi(|degrees| 0.5 * degrees.to_radians()),
+            "0.5 times as large",
+        ),
     ] {
-        assert_named(
-            &found,
-            "angles-scaled",
-            &format!("each is {factor} times as large"),
-        );
+        assert_named(&found, "angles-scaled", &format!("each is {how}"));
         assert_eq!(found.mistakes[0].section, "3.4 Sliders");
     }
     let fine = of_pi(|degrees| degrees * 3.14159 / 180.0);

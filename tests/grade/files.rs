@@ -64,6 +64,24 @@ fn what_lies_beside_the_folders_of_submissions_is_told_if_somebody_may_have_hand
     );
 }
 
+#[cfg(unix)]
+#[test]
+fn links_to_other_folders_and_to_nowhere_are_told_to_be_left_out() {
+    let (class, right) = class();
+    class.write("class/ann/adult-1.obj", &right);
+    for (from, to) in [("ann", "bob"), ("nowhere", "cem")] {
+        let link = class.path().join("class").join(to);
+        std::os::unix::fs::symlink(from, link).unwrap();
+    }
+    let ran = class.run("class --tests tests.json -o report");
+    for name in ["bob", "cem"] {
+        let told = format!("warning: class/{name}: left out, since it is a symbolic link\n");
+        assert!(ran.err.contains(&told), "{}", ran.err);
+    }
+    let report = class.graded();
+    assert_eq!(report["submissions"].as_array().unwrap().len(), 1);
+}
+
 #[test]
 fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     let (class, right) = class();
@@ -77,6 +95,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     }
     let bent = obj(&bent, figure, number);
     let nan = right.replacen("v ", "v nan ", 1);
+    let comma = format!("v 0,58 0,08 1\n{right}");
     let faces = &right[right.find("f ").unwrap()..];
     let no_number = "v nan -inf 1\n".repeat(figure.positions.len()) + faces;
     let latin = [b"# J\xFCrgen\n".as_slice(), right.as_bytes()].concat();
@@ -109,6 +128,8 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("ida", &nan),
         ("jan", &no_number),
         ("joe", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("liv", "\n<!DOCTYPE html>\n<html>404</html>\n"),
+        ("lou", &comma),
         ("max", &cut_in_a_face),
         ("ned", &no_faces),
         ("ole", &other_order),
@@ -181,6 +202,16 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "adult-1.obj:1: 13301 vertices are no numbers (nan or infinite)",
         ),
         ("joe", "unreadable", "adult-1.obj: expected "),
+        (
+            "liv",
+            "unreadable",
+            "adult-1.obj: expected lines of words and numbers, found a web page (HTML)",
+        ),
+        (
+            "lou",
+            "unreadable",
+            "adult-1.obj:1:3: expected a number for x with a decimal point, found “0,58”",
+        ),
         ("nic", "right", "right: this is the exact result"),
         (
             "nil",

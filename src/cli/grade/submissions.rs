@@ -94,6 +94,14 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
+        // It may be the folder of another submission, or lead nowhere.
+        if path.is_symlink() && (path.is_dir() || !path.exists()) {
+            let path = path.display();
+            eprint_line(format_args!(
+                "warning: {path}: left out, since it is a symbolic link"
+            ));
+            continue;
+        }
         if !path.is_dir() {
             if may_be_handed_in(&path) {
                 let path = path.display();
@@ -101,14 +109,6 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
                     "warning: {path}: left out, since it is in no folder of a submission"
                 ));
             }
-            continue;
-        }
-        // It may be the folder of another submission.
-        if path.is_symlink() {
-            let path = path.display();
-            eprint_line(format_args!(
-                "warning: {path}: left out, since it is a symbolic link"
-            ));
             continue;
         }
         if Store::new(&path).is_there() {
