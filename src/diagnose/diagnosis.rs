@@ -1,5 +1,6 @@
 //! What is found out about a mesh, as data.
 
+use super::MOST_TOLERANCE;
 use super::faces::FaceDifference;
 use super::mistake::Mistake;
 use super::nearest::{NEARLY_ALL, Nearest};
@@ -79,6 +80,8 @@ pub struct Diagnosis {
 pub enum NearlyRight<'a> {
     /// The exact one, with numbers that are rounded too coarsely.
     Rounded,
+    /// One that is off everywhere by so little that nobody sees it.
+    Close,
     /// The exact one moved, turned or scaled as a whole.
     Placed,
     /// The one of a mistake, but for few vertices.
@@ -207,6 +210,8 @@ impl Diagnosis {
         let mut findings = self.findings.iter();
         if self.coarse.is_some_and(|coarse| coarse.may_be_right) {
             Some(NearlyRight::Rounded)
+        } else if self.error_from_exact <= MOST_TOLERANCE {
+            Some(NearlyRight::Close)
         } else if findings.any(|finding| finding.0.is_placement()) {
             Some(NearlyRight::Placed)
         } else if let Some(nearest) = nearest.filter(|nearest| nearest.is_nearly_all()) {

@@ -116,6 +116,11 @@ pub fn of_size(error: f64) -> String {
     }
 }
 
+/// In words that nothing is farther off than `error`, by the size.
+pub fn within_everywhere(error: f64) -> String {
+    format!("within {} everywhere", of_size(error))
+}
+
 /// Percent of the size from which on it does not matter how far away a vertex is.
 const FAR_OUT: f64 = 1e5;
 
@@ -170,7 +175,10 @@ impl fmt::Display for Diagnosis {
 impl Diagnosis {
     /// What is known of a mesh as a whole that nothing explains, a sentence each.
     pub fn found(&self) -> Vec<String> {
-        let mut found: Vec<String> = self.findings.iter().map(ToString::to_string).collect();
+        let close = self.nearly_right() == Some(NearlyRight::Close);
+        let close = close.then(|| within_everywhere(self.error_from_exact));
+        let mut found: Vec<String> = close.into_iter().collect();
+        found.extend(self.findings.iter().map(ToString::to_string));
         found.extend(self.coarse.map(|coarse| coarse.to_string()));
         if let Some(same) = self.faces.same {
             found.push(format!(

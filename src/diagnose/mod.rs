@@ -47,7 +47,7 @@ mod weight_formula;
 mod whole_program;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
-pub use diagnosis_words::{in_words, of_size, part_of_size};
+pub use diagnosis_words::{in_words, of_size, part_of_size, within_everywhere};
 pub use faces::FaceDifference;
 pub use formula::{
     About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,

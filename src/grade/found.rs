@@ -3,8 +3,8 @@
 use super::graded::Outcome;
 use super::report::NEARLY;
 use super::rubric::MOSTLY_POSED;
-use crate::diagnose::{Diagnosis, MOVED_AS_A_WHOLE, NearlyRight, Verdict};
-use crate::io::{RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW};
+use crate::diagnose::{Diagnosis, MOVED_AS_A_WHOLE, NearlyRight, Verdict, within_everywhere};
+use crate::io::{RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE};
 
 pub(super) fn outcome(verdict: Verdict) -> Outcome {
     match verdict {
@@ -27,13 +27,16 @@ pub(super) fn hint(found: &Diagnosis) -> Option<String> {
     if found.verdict != Verdict::Unexplained {
         return None;
     }
+    if found.nearly_right() == Some(NearlyRight::Close) {
+        return Some(within_everywhere(found.error_from_exact));
+    }
     let mut findings = found.findings.iter();
     if let Some(brief) = findings.find_map(|finding| finding.0.brief()) {
         return Some(brief);
     }
     Some(match found.nearly_right()? {
         NearlyRight::Rounded => "too few digits".to_owned(),
-        NearlyRight::Placed => return None,
+        NearlyRight::Close | NearlyRight::Placed => return None,
         NearlyRight::ButForFewWith(mistake) => format!("{NEARLY}{}", mistake.id),
         NearlyRight::ButForFew => match found.off {
             1 => "all but 1 vertex".to_owned(),
@@ -46,6 +49,7 @@ pub(super) fn hint(found: &Diagnosis) -> Option<String> {
 pub(super) fn nearly(found: &Diagnosis) -> Vec<&'static str> {
     let mut nearly = match found.nearly_right() {
         Some(NearlyRight::Rounded) => vec![RIGHT_BUT_FOR_DIGITS],
+        Some(NearlyRight::Close) => vec![RIGHT_BUT_FOR_LITTLE],
         Some(NearlyRight::Placed) => vec![MOVED_AS_A_WHOLE],
         Some(NearlyRight::ButForFewWith(mistake)) => vec![mistake.id, RIGHT_BUT_FOR_FEW],
         Some(NearlyRight::ButForFew) => vec![RIGHT_BUT_FOR_FEW],

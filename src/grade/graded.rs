@@ -57,7 +57,8 @@ pub struct Graded {
     pub causes: Vec<Vec<String>>,
     /// Of a file that nothing explains and that is nearly right, what is wrong with it, by name: a mistake,
     /// [`RIGHT_BUT_FOR_FEW`](crate::io::RIGHT_BUT_FOR_FEW),
-    /// [`RIGHT_BUT_FOR_DIGITS`](crate::io::RIGHT_BUT_FOR_DIGITS) or
+    /// [`RIGHT_BUT_FOR_DIGITS`](crate::io::RIGHT_BUT_FOR_DIGITS),
+    /// [`RIGHT_BUT_FOR_LITTLE`](crate::io::RIGHT_BUT_FOR_LITTLE) or
     /// [`MOVED_AS_A_WHOLE`](crate::diagnose::MOVED_AS_A_WHOLE).
     pub nearly: Vec<String>,
     /// How far the file is from the exact one, by the size; `None` without a diagnosis, and where it
@@ -65,6 +66,9 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
+    /// What its vertices count for by how near they are ([`nearness`](super::nearness::nearness)), or the share of the
+    /// silhouette that agrees, 0 to 1.
+    pub near: f64,
     /// How much of the test's pose another one has, 0 to 1
     /// ([`OtherPose::as_expected`](crate::diagnose::OtherPose::as_expected)); 0 without another pose, and where that is the
     /// one of another test.
@@ -97,6 +101,7 @@ impl Graded {
             nearly: Vec::new(),
             error: None,
             agrees: 0.0,
+            near: 0.0,
             posed: 0.0,
             shows: None,
             of_tests: Vec::new(),

@@ -11,6 +11,7 @@ mod kept;
 mod late;
 mod mistake_section;
 mod name;
+mod nearness;
 mod page;
 mod report;
 mod rubric;

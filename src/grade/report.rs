@@ -73,6 +73,8 @@ pub struct GradedTest {
     pub error: Option<f64>,
     /// Share that agrees, 0 to 1.
     pub agrees: f64,
+    /// What its vertices count for by how near they are, or the share of the silhouette that agrees, 0 to 1.
+    pub near: f64,
     /// Points by section, before sections are scaled to what they are worth.
     pub points: BTreeMap<String, f64>,
     /// The diagnosis in words.
@@ -129,6 +131,7 @@ impl Report {
                     causes: graded.causes,
                     error: graded.error,
                     agrees: graded.agrees,
+                    near: graded.near,
                     text: graded.text,
                     picture: graded.picture,
                 })

@@ -7,7 +7,8 @@ use crate::diagnose::{
     TRIANGLES_TURNED, VERTEX_MISSING, VERTEX_TOO_MANY,
 };
 use crate::io::{
-    OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData, TestData,
+    OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
+    RIGHT_BUT_FOR_LITTLE, RubricData, TestData,
 };
 use std::collections::BTreeMap;
 
@@ -28,6 +29,7 @@ const LEFT_BY_LITTLE: &[(&str, f64)] = &[
     (TRIANGLES_DIFFER, 0.9),
     (TRIANGLES_TURNED, 0.9),
     (RIGHT_BUT_FOR_DIGITS, 0.9),
+    (RIGHT_BUT_FOR_LITTLE, 0.9),
     (MOVED_AS_A_WHOLE, 0.75),
     (PICTURE_TURNED, 0.75),
 ];
@@ -113,9 +115,9 @@ fn of_all(test: &TestData, share: f64) -> BTreeMap<String, f64> {
         .collect()
 }
 
-/// The share that what is unexplained gives by its vertices alone.
+/// The share that what is unexplained gives by how near its vertices are alone.
 fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
-    rubric.unexplained.0 * graded.agrees
+    rubric.unexplained.0 * graded.near
 }
 
 /// What the exact result of another pose counts as.
@@ -234,7 +236,7 @@ pub(super) mod tests {
             nearly: ["pose-not-applied", "right-but-for-few"]
                 .map(str::to_owned)
                 .to_vec(),
-            agrees: 0.9,
+            near: 0.9,
             ..Graded::without(Outcome::Unexplained, "")
         };
         assert_eq!(given(TWO, &nearly, &RubricData::default()), [0.0, 0.0]);
@@ -336,9 +338,9 @@ pub(super) mod tests {
     #[test]
     fn what_is_nearly_right_costs_less_than_a_mistake_and_in_the_section_of_posed_meshes() {
         let mut rubric = RubricData::default();
-        let nearly = |names: &[&str], agrees| Graded {
+        let nearly = |names: &[&str], near| Graded {
             nearly: names.iter().map(|&name| name.to_owned()).collect(),
-            agrees,
+            near,
             ..Graded::without(Outcome::Unexplained, "")
         };
         // One vertex too few is as little, and so are wrong triangles.
@@ -360,6 +362,8 @@ pub(super) mod tests {
         let told = why(&test(&sections), &few, &rubric);
         let text = "right-but-for-few leaves 90 % of 4.1, since the test has no points for 4.2";
         assert_eq!(told, [text]);
+        let little = nearly(&["right-but-for-little"], 0.76);
+        assert_eq!(given(TWO, &little, &rubric), [6.0, 9.0]);
         let moved = nearly(&["moved-as-a-whole"], 0.0);
         assert_eq!(given(TWO, &moved, &rubric), [6.0, 7.5]);
         let of_mistake = nearly(&["euler-zyx", "right-but-for-few"], 0.1);
@@ -378,15 +382,15 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn what_is_unexplained_counts_by_what_agrees_and_what_is_not_there_counts_nothing() {
+    fn what_is_unexplained_counts_by_how_near_it_is_and_what_is_not_there_counts_nothing() {
         let rubric = RubricData::default();
         let unexplained = Graded {
-            agrees: 0.8,
+            near: 0.8,
             ..Graded::without(Outcome::Unexplained, "")
         };
         assert_eq!(given(&[("4.2", 10.0)], &unexplained, &rubric), [4.0]);
         let far = Graded {
-            agrees: 0.0,
+            near: 0.0,
             ..unexplained
         };
         assert_eq!(given(TWO, &far, &rubric), [0.0, 0.0]);

@@ -5,6 +5,7 @@ mod shown_mesh;
 
 use super::found::{explanations, hint, nearly, outcome};
 use super::graded::{Graded, Outcome, rounded};
+use super::nearness::nearness;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
@@ -229,14 +230,15 @@ impl Test {
         let is_right = found.is_right();
         let measure = measure(&self.character, &self.exact, &theirs.positions);
         // Of vertices that are numbered otherwise it is not known which is which.
-        let near = measure
+        let right = measure
             .as_ref()
             .map_or(0, |measure| theirs.positions.len() - measure.off);
         let agrees = if is_right {
             1.0
         } else {
-            near as f64 / theirs.positions.len().max(1) as f64
+            right as f64 / theirs.positions.len().max(1) as f64
         };
+        let near = measure.as_ref().map(nearness);
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         let mut causes = explanations(found.together(), &found.same_as);
         if self.pose.is_bind() {
@@ -263,6 +265,7 @@ impl Test {
                 .unwrap_or(0.0),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
+            near: near.and_then(rounded).unwrap_or(0.0),
             shows: None,
             of_tests: Vec::new(),
             picture: if is_right { None } else { drawn() },
@@ -307,6 +310,7 @@ impl Test {
                 triangles,
             ))
         };
+        let agrees = rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0);
         let graded = Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),
@@ -321,7 +325,8 @@ impl Test {
                 false => Vec::new(),
             },
             posed: 0.0,
-            agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
+            agrees,
+            near: agrees,
             shows: None,
             of_tests: Vec::new(),
             picture: if found.verdict == Verdict::Right {

@@ -44,16 +44,20 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
     }
 }
 
-/// What is left of what counts by its share that is right.
+/// What is left of what counts by how near it is.
 fn why_by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> String {
     let what = match test.kind {
         TestKind::Mesh => "vertices",
         TestKind::Picture { .. } => "silhouette",
     };
-    let (share, right) = (percent(rubric.unexplained.0), percent(graded.agrees));
-    format!(
-        "what no known mistake explains leaves {share}, times the {right} of the {what} that are right"
-    )
+    let [share, right, near] = [rubric.unexplained.0, graded.agrees, graded.near].map(percent);
+    let leaves = format!("what no known mistake explains leaves {share}, times");
+    match right == near {
+        true => format!("{leaves} the {right} of the {what} that are right"),
+        false => format!(
+            "{leaves} {near}: {right} of the {what} are right, and others count by how near they are"
+        ),
+    }
 }
 
 /// What a mistake, or a file that is nearly right, leaves of which section.
@@ -113,10 +117,18 @@ mod tests {
         rubric.unexplained = Share(0.25);
         let unexplained = Graded {
             agrees: 0.8,
+            near: 0.8,
             ..Graded::without(Outcome::Unexplained, "")
         };
         let text = "what no known mistake explains leaves 25 %, times the 80 % of the vertices that are right";
         assert_eq!(told(&unexplained, &rubric), [text]);
+        let near = Graded {
+            near: 0.9,
+            ..unexplained
+        };
+        let text = "what no known mistake explains leaves 25 %, times 90 %: 80 % of the vertices are right, and others \
+                    count by how near they are";
+        assert_eq!(told(&near, &rubric), [text]);
         assert!(told(&Graded::without(Outcome::Right, ""), &rubric).is_empty());
         // Sections may have their names beside their numbers.
         let named = test(&[("3.4 Sliders", 6.0), ("4.2 SSD", 10.0)]);

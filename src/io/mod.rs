@@ -74,8 +74,8 @@ pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
 pub use read_job::{ReadFiles, ReadJob, Wanted};
 pub use rubric_data::{
-    OTHER_POSE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS, RubricData,
-    SectionData, Share,
+    OTHER_POSE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
+    RIGHT_BUT_FOR_LITTLE, RubricData, SectionData, Share,
 };
 pub use scene::{
     Missing, Package, Reimported, SceneError, SceneFile, files_of_source, needed_files, normal,

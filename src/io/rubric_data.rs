@@ -24,6 +24,8 @@ pub struct Share(pub f64);
 pub const RIGHT_BUT_FOR_FEW: &str = "right-but-for-few";
 /// Name of the exact mesh with numbers that are rounded too coarsely to tell mistakes apart.
 pub const RIGHT_BUT_FOR_DIGITS: &str = "right-but-for-digits";
+/// Name of a mesh that is off everywhere by so little that nobody sees it, and that nothing explains.
+pub const RIGHT_BUT_FOR_LITTLE: &str = "right-but-for-little";
 /// Name of the exact result of a pose in which few joints are not as asked.
 pub const RIGHT_BUT_FOR_JOINTS: &str = "right-but-for-joints";
 /// Name of the exact result of another pose.
@@ -50,8 +52,8 @@ pub struct RubricData {
     pub mistake: Share,
     /// The same for some mistakes by name.
     pub mistakes: BTreeMap<MistakeName, Share>,
-    /// Part of a test's points that is given where no known mistake explains it, for the share of
-    /// vertices that are right.
+    /// Part of a test's points that is given where no known mistake explains it, for the share that vertices count for by how
+    /// near they are.
     pub unexplained: Share,
     /// Points that a person gives, by submission and section.
     pub given: BTreeMap<String, BTreeMap<String, Spanned<Points>>>,
@@ -88,6 +90,7 @@ impl TryFrom<String> for MistakeName {
         let others = [
             RIGHT_BUT_FOR_FEW,
             RIGHT_BUT_FOR_DIGITS,
+            RIGHT_BUT_FOR_LITTLE,
             RIGHT_BUT_FOR_JOINTS,
             OTHER_POSE,
         ];

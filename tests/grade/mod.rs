@@ -7,6 +7,7 @@ mod documents;
 mod files;
 mod hostile;
 mod late;
+mod near;
 mod parts;
 mod report;
 mod support;

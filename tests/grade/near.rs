@@ -1,0 +1,72 @@
+//! Meshes that nothing explains count by how near they are.
+
+use crate::diagnose::figures::obj;
+use crate::diagnose::student::with;
+use crate::grade::support::{Class, result};
+use editor_core::math::Aabb;
+use glam::Vec3;
+use serde_json::json;
+
+/// A direction for each vertex, as if by chance.
+fn direction(vertex: usize) -> Vec3 {
+    let part = |by: f32| (vertex as f32 * by).sin() * 1000.0;
+    let [x, y, z] = [12.9898, 78.233, 37.719].map(|by| part(by).fract() * 2.0);
+    Vec3::new(x, y, z).normalize_or(Vec3::X)
+}
+
+#[test]
+fn a_mesh_whose_vertices_are_all_off_has_the_more_points_the_nearer_they_are() {
+    let class = Class::new(&["robot"]);
+    let (test, figure) = &class.tests[0];
+    let right = with(&[]).skin(figure);
+    let size = Aabb::from_points(right.iter().copied()).size().length();
+    let errors = [
+        ("ann", 0.0002),
+        ("bob", 0.0009),
+        ("cem", 0.0012),
+        ("dan", 0.003),
+        ("eve", 0.02),
+    ];
+    for (student, error) in errors {
+        let off = |(vertex, at): (usize, &Vec3)| *at + direction(vertex) * error * size;
+        let places: Vec<Vec3> = right.iter().enumerate().map(off).collect();
+        let text = obj(&places, figure, |number| number.to_string());
+        class.write(&format!("class/{student}/{test}.obj"), text);
+    }
+    let report = class.graded();
+    for student in ["ann", "bob"] {
+        let found = result(&report, student, test);
+        assert_eq!(found["outcome"], "unexplained", "{found}");
+        let points = json!({"3.2": 4.0, "3.4": 6.0, "4.2": 9.0});
+        assert_eq!(found["points"], points, "{found}");
+        let why = json!(["right-but-for-little leaves 90 % of 4.2"]);
+        assert_eq!(found["why"], why);
+    }
+    let ann = result(&report, "ann", test);
+    let hint = "within 0.020 % of the size everywhere";
+    assert_eq!(ann["hint"], hint);
+    let text = ann["text"].as_str().unwrap();
+    assert!(
+        text.starts_with(&format!("nearly right: {hint}\n")),
+        "{text}"
+    );
+    // What is right is counted as before.
+    assert_eq!(ann["agrees"], 0.0);
+    let near = |student: &str| result(&report, student, test)["near"].as_f64().unwrap();
+    for (student, expected) in [("ann", 0.85), ("cem", 0.46), ("dan", 0.26), ("eve", 0.0)] {
+        assert!((near(student) - expected).abs() < 0.01, "{}", near(student));
+    }
+    let points = |student: &str| {
+        let points = result(&report, student, test)["points"]["4.2"].clone();
+        points.as_f64().unwrap()
+    };
+    for student in ["cem", "dan", "eve"] {
+        assert!((points(student) - 5.0 * near(student)).abs() < 0.01);
+    }
+    let dan = result(&report, "dan", test)["why"][0].as_str().unwrap();
+    let told = "what no known mistake explains leaves 50 %, times 26.";
+    assert!(dan.starts_with(told), "{dan}");
+    assert!(
+        dan.ends_with(": 0 % of the vertices are right, and others count by how near they are")
+    );
+}
