@@ -16,9 +16,10 @@ struct Given {
     points: f64,
 }
 
-/// Has meshes count as late that are in the poses of the tests before. Of the explanations of each mesh, brings forward the one that most meshes of the submission have, of as many the one
-/// that costs least, and of those of each picture the one with mistakes that its meshes show, or else the one that most
-/// pictures have. `graded` has the results of the tests of `file`, in their order.
+/// Has meshes count as late that are in the poses of the tests before. Of the explanations of each mesh, brings forward the
+/// one that most meshes of the submission have, of as many the one that costs least, and of those of each picture the one
+/// with mistakes that its meshes show, or else the one that most pictures have. `graded` has the results of the tests of
+/// `file`, in their order.
 pub(super) fn settle(file: &TestsFile, graded: &mut [Graded]) {
     settle_late(file, graded);
     let all = file.tests.iter().zip(graded);
