@@ -49,8 +49,8 @@ pub struct Args {
     /// Leave out this area of the pictures, in pixels from the upper left; may be repeated
     #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
     ignore: Vec<Area>,
-    /// Write a picture with A, B and their differences side by side, lighter where they are larger
-    /// (.png, .jpg, .gif)
+    /// Of two pictures: write a third one with A, B and their differences side by side, lighter where
+    /// they are larger (.png, .jpg, .gif)
     #[arg(short, long, value_name = "DIFF.png")]
     output: Option<PathBuf>,
     /// Tell where meshes differ by the joints of this character, whose vertices they have; of A if

@@ -8,9 +8,10 @@ use crate::diagnose::{
 };
 use crate::io::{
     OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
-    RIGHT_BUT_FOR_LITTLE, RubricData, TestData,
+    RIGHT_BUT_FOR_LITTLE, RubricData, TestData, TestKind,
 };
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// What a pose that was not applied leaves unless the rubric says otherwise. All of a result rests on it: a mesh that is
 /// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it
@@ -34,6 +35,13 @@ const LEFT_BY_LITTLE: &[(&str, f64)] = &[
     (PICTURE_TURNED, 0.75),
 ];
 
+/// Largest distance of a vertex, by the size, up to which nobody sees that a mesh is not the exact one.
+pub(super) const UNSEEN: f64 = 1e-3;
+/// How many times that far off a mesh is that is not near the exact one.
+pub(super) const FAR_OFF: f64 = 10.0;
+/// What vertices count for from which on they are nearly all right.
+const NEARLY_ALL: Range<f64> = 0.9..0.99;
+
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,
 /// for all else is right once it is set aside; one whose section has no points in the test costs them in the nearest
 /// one, and a pose that was not applied in each. Of explanations that give the same file the one counts that costs
@@ -46,12 +54,14 @@ pub(super) fn points(
     match graded.outcome {
         Outcome::Right => of_all(test, 1.0),
         Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
-            left_by(&graded.nearly, test, rubric)
+            left_by(&graded.nearly, test, graded, rubric)
         }
-        Outcome::Unexplained => of_all(test, by_vertices(graded, rubric)),
-        Outcome::OtherPose => left_by(&[of_other_pose(graded).to_owned()], test, rubric),
-        Outcome::Explained => counted(test, graded, rubric)
-            .map_or_else(|| of_all(test, 0.0), |ids| left_by(ids, test, rubric)),
+        Outcome::Unexplained => of_all(test, by_vertices(test, graded, rubric)),
+        Outcome::OtherPose => left_by(&[of_other_pose(graded).to_owned()], test, graded, rubric),
+        Outcome::Explained => counted(test, graded, rubric).map_or_else(
+            || of_all(test, 0.0),
+            |ids| left_by(ids, test, graded, rubric),
+        ),
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
             of_all(test, 0.0)
         }
@@ -86,7 +96,7 @@ pub(super) fn counted<'a>(
     if first.iter().any(|id| id == POSE_NOT_APPLIED) {
         return Some(first);
     }
-    let left = |ids: &[String]| points_left(ids, test, rubric);
+    let left = |ids: &[String]| points_left(ids, test, graded, rubric);
     // Of equals the first, which is the one that is told.
     let best = graded.causes.iter().reduce(|best, other| {
         if left(other) > left(best) + 1e-9 {
@@ -98,9 +108,14 @@ pub(super) fn counted<'a>(
     best.map(Vec::as_slice)
 }
 
-/// Points that a test has in all with these mistakes.
-pub(super) fn points_left(ids: &[String], test: &TestData, rubric: &RubricData) -> f64 {
-    total(&left_by(ids, test, rubric))
+/// Points that a test has in all with these mistakes in a file.
+pub(super) fn points_left(
+    ids: &[String],
+    test: &TestData,
+    graded: &Graded,
+    rubric: &RubricData,
+) -> f64 {
+    total(&left_by(ids, test, graded, rubric))
 }
 
 fn total(points: &BTreeMap<String, f64>) -> f64 {
@@ -115,9 +130,29 @@ fn of_all(test: &TestData, share: f64) -> BTreeMap<String, f64> {
         .collect()
 }
 
-/// The share that what is unexplained gives by how near its vertices are alone.
-fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
-    rubric.unexplained.0 * graded.near
+/// The share that what is unexplained gives by how near its vertices are alone. A mesh with nearly all vertices right, or
+/// with none far off, has the more the nearer it is to one that is right but for few, or but for little: no vertex more
+/// or less makes much of a difference.
+pub(super) fn by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> f64 {
+    let unexplained = rubric.unexplained.0;
+    let share = unexplained * graded.near;
+    if test.kind != TestKind::Mesh {
+        return share;
+    }
+    let [few, little] =
+        [RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE].map(|id| share_left(id, graded, rubric));
+    let all = (graded.near - NEARLY_ALL.start) / (NEARLY_ALL.end - NEARLY_ALL.start);
+    let by_few = lerp(unexplained * NEARLY_ALL.start, few, all);
+    let off = graded.error.unwrap_or(f64::INFINITY) / UNSEEN;
+    let by_little = lerp(little, share, off.ln() / FAR_OFF.ln());
+    let nearly_all = (all > 0.0).then_some(by_few);
+    let near_all = (off < FAR_OFF).then_some(by_little);
+    nearly_all.into_iter().chain(near_all).fold(share, f64::max)
+}
+
+/// What lies between `from` and `to`, at 0 and below and at 1 and above.
+fn lerp(from: f64, to: f64, at: f64) -> f64 {
+    from + (to - from) * at.clamp(0.0, 1.0)
 }
 
 /// What the exact result of another pose counts as.
@@ -131,33 +166,47 @@ pub(super) fn of_other_pose(graded: &Graded) -> &'static str {
 
 /// Whether something unexplained that is nearly right has more points as what is wrong with it than by its vertices.
 pub(super) fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
-    let as_mistakes = left_by(&graded.nearly, test, rubric);
-    let by_vertices = of_all(test, by_vertices(graded, rubric));
+    let as_mistakes = left_by(&graded.nearly, test, graded, rubric);
+    let by_vertices = of_all(test, by_vertices(test, graded, rubric));
     let is_without_pose = graded.nearly.iter().any(|id| id == POSE_NOT_APPLIED);
-    let is_better = total(&as_mistakes) > total(&by_vertices);
+    // Of equals what is told of it.
+    let is_better = total(&as_mistakes) > total(&by_vertices) - 1e-9;
     !graded.nearly.is_empty() && (is_better || is_without_pose)
 }
 
-/// The share that one mistake leaves of its section.
-pub(super) fn share_left(id: &str, rubric: &RubricData) -> f64 {
+/// The share that one mistake leaves of its section in a file. Unless the rubric has one for it, that is no less than what
+/// is right but for little has, where the mistake makes no more of a difference.
+pub(super) fn share_left(id: &str, graded: &Graded, rubric: &RubricData) -> f64 {
     let mut by_little = LEFT_BY_LITTLE.iter();
+    let is_unseen =
+        graded.outcome == Outcome::Explained && graded.error.is_some_and(|error| error <= UNSEEN);
     let without = match id {
         POSE_NOT_APPLIED => LEFT_WITHOUT_POSE,
         // The pose that was asked for is as little in it as in one that is not posed at all.
-        OTHER_POSE => share_left(POSE_NOT_APPLIED, rubric),
-        id => by_little
-            .find(|(known, _)| *known == id)
-            .map_or(rubric.mistake.0, |(_, share)| *share),
+        OTHER_POSE => share_left(POSE_NOT_APPLIED, graded, rubric),
+        id => {
+            let known = by_little.find(|(known, _)| *known == id);
+            let usual = known.map_or(rubric.mistake.0, |(_, share)| *share);
+            match is_unseen && id != RIGHT_BUT_FOR_LITTLE {
+                true => usual.max(share_left(RIGHT_BUT_FOR_LITTLE, graded, rubric)),
+                false => usual,
+            }
+        }
     };
     rubric.mistakes.get(id).map_or(without, |share| share.0)
 }
 
 /// What mistakes that are made together leave in each section.
-fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<String, f64> {
+fn left_by(
+    ids: &[String],
+    test: &TestData,
+    graded: &Graded,
+    rubric: &RubricData,
+) -> BTreeMap<String, f64> {
     let mut left = of_all(test, 1.0);
     for id in ids {
         let is_of_all = id == POSE_NOT_APPLIED || id == OTHER_POSE;
-        let share = share_left(id, rubric);
+        let share = share_left(id, graded, rubric);
         let own = section_of(own_section(id), test);
         for (section, points) in &mut left {
             if is_of_all || own == Some(section) {
@@ -379,6 +428,72 @@ pub(super) mod tests {
             panic!("two sections");
         };
         assert!((small - 5.988).abs() < 1e-9 && (large - 9.98).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_mistake_that_nobody_sees_costs_as_little_as_what_is_right_but_for_little() {
+        let mut rubric = RubricData::default();
+        let normalized = |error: f64| Graded {
+            error: Some(error),
+            ..explained(&[&["weights-normalized"]])
+        };
+        assert_eq!(given(TWO, &normalized(0.0004), &rubric), [6.0, 9.0]);
+        assert_eq!(given(TWO, &normalized(0.0011), &rubric), [6.0, 5.0]);
+        let told = why(&test(TWO), &normalized(0.0004), &rubric);
+        let text = "weights-normalized leaves 90 % of 4.2, so little is the mesh off";
+        assert_eq!(told, [text]);
+        let unposed = Graded {
+            error: Some(0.0004),
+            ..explained(&[&["pose-not-applied"]])
+        };
+        assert_eq!(given(TWO, &unposed, &rubric), [0.0, 0.0]);
+        // The rubric's own share counts.
+        let name = "weights-normalized".to_owned().try_into().unwrap();
+        rubric.mistakes.insert(name, Share(0.7));
+        assert_eq!(given(TWO, &normalized(0.0004), &rubric), [6.0, 7.0]);
+    }
+
+    #[test]
+    fn no_vertex_more_or_less_makes_much_of_a_difference_where_nearly_all_are_right() {
+        let rubric = RubricData::default();
+        let sections = &[("3.2", 10.0), ("3.4", 20.0), ("4.2", 30.0)];
+        let total = |near: f64, error: f64| {
+            let mut graded = Graded {
+                agrees: near,
+                near,
+                error: Some(error),
+                ..Graded::without(Outcome::Unexplained, "")
+            };
+            if near >= 0.99 {
+                graded.nearly.push(RIGHT_BUT_FOR_FEW.to_owned());
+            }
+            if error <= 0.001 {
+                graded.nearly.push(RIGHT_BUT_FOR_LITTLE.to_owned());
+            }
+            given(sections, &graded, &rubric).iter().sum::<f64>()
+        };
+        let by_count: Vec<f64> = (0..=1000)
+            .map(|of| total(f64::from(of) / 1000.0, 0.5))
+            .collect();
+        let by_distance: Vec<f64> = (0..=1000)
+            .map(|step| total(0.4, 1e-4 * 1e3_f64.powf(f64::from(step) / 1000.0)))
+            .rev()
+            .collect();
+        for points in [by_count, by_distance] {
+            assert!(points.is_sorted(), "nearer is never less");
+            let steps = points.windows(2).map(|pair| pair[1] - pair[0]);
+            assert!(steps.fold(0.0, f64::max) < 4.0);
+        }
+        assert_eq!(total(0.9, 0.5), 27.0);
+        assert_eq!(total(0.0, 0.5), 0.0);
+        let told = Graded {
+            agrees: 0.95,
+            near: 0.96,
+            error: Some(0.5),
+            ..Graded::without(Outcome::Unexplained, "")
+        };
+        let text = "what no known mistake explains leaves 75 %, so near is it to the exact result: 95 % of the vertices are right";
+        assert_eq!(why(&test(TWO), &told, &rubric), [text]);
     }
 
     #[test]

@@ -49,7 +49,7 @@ fn settle_by_most(results: &mut [(&TestData, &mut Graded)], kind: &str, file: &T
     for (test, result) in &*results {
         let explanations: BTreeSet<_> = result.causes.iter().map(sorted).collect();
         for ids in explanations {
-            let points = points_left(&ids, test, &file.rubric);
+            let points = points_left(&ids, test, result, &file.rubric);
             let given = all.entry(ids).or_default();
             given.results += 1;
             given.points += points;

@@ -2,13 +2,19 @@
 
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use super::rubric::{counted, counts_as_mistakes, of_other_pose, share_left};
-use crate::diagnose::POSE_NOT_APPLIED;
+use super::rubric::{
+    FAR_OFF, UNSEEN, by_vertices, counted, counts_as_mistakes, of_other_pose, share_left,
+};
+use crate::diagnose::{POSE_NOT_APPLIED, of_size};
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
 /// Why a test has not all of its points, in sentences.
 pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
-    let of_mistakes = |ids: &[String]| ids.iter().map(|id| why_mistake(id, test, rubric)).collect();
+    let of_mistakes = |ids: &[String]| {
+        let all = ids.iter();
+        all.map(|id| why_mistake(id, test, graded, rubric))
+            .collect()
+    };
     match graded.outcome {
         Outcome::Right => Vec::new(),
         Outcome::Explained => {
@@ -31,12 +37,12 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
         }
         Outcome::OtherPose => match of_other_pose(graded) {
             OTHER_POSE => {
-                let share = percent(share_left(OTHER_POSE, rubric));
+                let share = percent(share_left(OTHER_POSE, graded, rubric));
                 vec![format!(
                     "a result that is not the one of the test's own character in its pose leaves {share} of every section"
                 )]
             }
-            nearly => vec![why_mistake(nearly, test, rubric)],
+            nearly => vec![why_mistake(nearly, test, graded, rubric)],
         },
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
             vec!["there is nothing to give points for".to_owned()]
@@ -50,7 +56,21 @@ fn why_by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> Str
         TestKind::Mesh => "vertices",
         TestKind::Picture { .. } => "silhouette",
     };
-    let [share, right, near] = [rubric.unexplained.0, graded.agrees, graded.near].map(percent);
+    let unexplained = rubric.unexplained.0;
+    let [share, right, near] = [unexplained, graded.agrees, graded.near].map(percent);
+    let left = by_vertices(test, graded, rubric);
+    if left > unexplained * graded.near {
+        let left = percent(left);
+        let near = match graded.error {
+            Some(error) if error < FAR_OFF * UNSEEN => {
+                format!("no vertex is farther off than {}", of_size(error))
+            }
+            _ => format!("{right} of the {what} are right"),
+        };
+        return format!(
+            "what no known mistake explains leaves {left}, so near is it to the exact result: {near}"
+        );
+    }
     let leaves = format!("what no known mistake explains leaves {share}, times");
     match right == near {
         true => format!("{leaves} the {right} of the {what} that are right"),
@@ -61,15 +81,21 @@ fn why_by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> Str
 }
 
 /// What a mistake, or a file that is nearly right, leaves of which section.
-fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
-    let share = percent(share_left(id, rubric));
+fn why_mistake(id: &str, test: &TestData, graded: &Graded, rubric: &RubricData) -> String {
+    let share = share_left(id, graded, rubric);
+    let is_unseen = share > share_left(id, &Graded::without(graded.outcome, ""), rubric);
+    let share = percent(share);
     if id == POSE_NOT_APPLIED {
         return format!("{id} leaves {share} of every section");
     }
     let own = own_section(id);
     let section = section_of(own, test).unwrap_or_default();
     let own = number(own);
-    let told = format!("{id} leaves {share} of {section}");
+    let unseen = match is_unseen {
+        true => ", so little is the mesh off",
+        false => "",
+    };
+    let told = format!("{id} leaves {share} of {section}{unseen}");
     match own == number(section) {
         true => told,
         false => format!("{told}, since the test has no points for {own}"),

@@ -218,8 +218,13 @@ impl FaceReader {
         if let (Some(_), Some(expected)) = (nothing, expected) {
             let found = self.counts[0];
             let vertices = if found == 1 { "vertex" } else { "vertices" };
-            let message =
-                format!("expected {expected} vertices, or faces, found {found} {vertices} alone");
+            let hint = match found < expected {
+                true => ": the file may be cut off",
+                false => "",
+            };
+            let message = format!(
+                "expected {expected} vertices, or faces, found {found} {vertices} alone{hint}"
+            );
             return Err(scanner.error(scanner.end(), message));
         }
         if let Some(nothing) = nothing {

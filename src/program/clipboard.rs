@@ -4,7 +4,7 @@
 use super::Host;
 use super::autosave::WithText;
 use super::awaited::Awaited;
-use super::files::CLIPBOARD;
+use super::files::{CLIPBOARD, listed};
 use super::reading::Use;
 use super::running::Program;
 use crate::character::{Mirror, Pose, SkeletalModel};
@@ -40,6 +40,8 @@ pub(super) struct Pasted {
     pub as_copied: bool,
     /// Selected joints that the character of which it was copied has not, so that they stay as they are.
     pub unknown: Vec<usize>,
+    /// Joints of which it was copied that the character which gets it has not.
+    pub lacking: Vec<String>,
 }
 
 impl Pasted {
@@ -50,6 +52,7 @@ impl Pasted {
             joints: None,
             as_copied: false,
             unknown: Vec::new(),
+            lacking: Vec::new(),
         }
     }
 
@@ -74,8 +77,14 @@ impl Pasted {
         (before.with_joints_of(&pose, &joints), Some(joints))
     }
 
-    /// That these joints alone get it, or why none does.
-    pub(super) fn told(&self, skeleton: &SkeletalModel, joints: &[usize]) -> (Severity, String) {
+    /// That these joints alone get it, or why none does. The character has not all joints that the pose turns: not the
+    /// `missing` ones.
+    pub(super) fn told(
+        &self,
+        skeleton: &SkeletalModel,
+        joints: &[usize],
+        missing: &[&str],
+    ) -> (Severity, String) {
         let has_no = self.has_no(skeleton);
         let onto = match joints {
             [] => {
@@ -95,12 +104,22 @@ impl Pasted {
             Sides::AsTheyAre => "",
             Sides::Exchanged => "mirrored ",
         };
-        let why = match (self.as_copied, has_no) {
-            (true, _) => ", as copied".to_owned(),
-            (false, None) => "; with no joint selected, onto all".to_owned(),
-            (false, Some(has_no)) => format!("; {has_no}"),
+        let is_lacking = |name: &&str| self.lacking.iter().any(|lacking| lacking == name);
+        let lacking: Vec<&str> = missing.iter().copied().filter(is_lacking).collect();
+        let (severity, why) = match (self.as_copied, has_no) {
+            (true, _) if lacking.is_empty() => (Severity::Info, ", as copied".to_owned()),
+            (true, _) => {
+                let lacking = listed(&lacking);
+                let why = format!(", without {lacking}, which this character does not have");
+                (Severity::Warning, why)
+            }
+            (false, None) => (
+                Severity::Info,
+                "; with no joint selected, onto all".to_owned(),
+            ),
+            (false, Some(has_no)) => (Severity::Info, format!("; {has_no}")),
         };
-        (Severity::Info, format!("Pasted {mirrored}onto {onto}{why}"))
+        (severity, format!("Pasted {mirrored}onto {onto}{why}"))
     }
 
     /// Which of the selected joints the pose lacks.
@@ -150,6 +169,14 @@ impl CopiedPose {
         }
     }
 
+    /// Names of the joints that the character `shape` has not.
+    fn lacking(&self, shape: ShapeId, skeleton: &SkeletalModel) -> Vec<String> {
+        let has = |name: &str| skeleton.joints().iter().any(|joint| joint.name == name);
+        let names = self.joints.iter().map(|(_, name)| name);
+        let lacking = names.filter(|name| self.shape != shape && !has(name));
+        lacking.cloned().collect()
+    }
+
     /// What the character `shape` gets of it, where the user asked for `pasted`.
     fn meant(&self, pasted: Pasted, shape: ShapeId, skeleton: &SkeletalModel) -> Pasted {
         let known = self.onto(shape, skeleton, pasted.sides);
@@ -157,6 +184,7 @@ impl CopiedPose {
             _ if self.were_selected => Pasted {
                 joints: Some(known),
                 as_copied: true,
+                lacking: self.lacking(shape, skeleton),
                 ..pasted
             },
             Some(selected) => {

@@ -16,6 +16,8 @@ use std::borrow::Borrow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// What a pose file rounds off at most, in radians and relative to a distance.
+const ROUNDED_OFF: f32 = 1e-5;
 /// What messages call the clipboard where they name a file.
 pub(super) const CLIPBOARD: &str = "clipboard";
 
@@ -268,8 +270,17 @@ impl Program {
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
                 let (pose, onto) = pasted.onto(skeleton, character.pose(), pose);
+                let goes_somewhere = onto.as_ref().is_none_or(|joints| !joints.is_empty());
+                let is_pasted = path == Path::new(CLIPBOARD) && goes_somewhere;
+                let count = skeleton.joints().len();
+                if is_pasted && missing.is_empty() && is_alike(&pose, character.pose(), count) {
+                    let shape = self.session.scene().shape(shape);
+                    let name = shape.map_or("The character", |shape| &shape.name);
+                    let told = format!("{name} has this pose already");
+                    return self.tell(Severity::Info, told);
+                }
                 let told = match &onto {
-                    Some(joints) => Some(pasted.told(skeleton, joints)),
+                    Some(joints) => Some(pasted.told(skeleton, joints, &missing)),
                     None if missing.is_empty() => None,
                     None => Some((Severity::Warning, without(path, &missing))),
                 };
@@ -355,6 +366,16 @@ pub(super) fn file_stem(name: &str) -> String {
         "" => "shape".to_owned(),
         stem => stem.to_owned(),
     }
+}
+
+/// Whether poses of a skeleton with so many joints are the same but for what a file rounds off.
+fn is_alike(one: &Pose, other: &Pose, joints: usize) -> bool {
+    (0..joints).all(|joint| {
+        let [a, b] = [one, other].map(|pose| (pose.rotation(joint), pose.root_offset(joint)));
+        (a.0.radians).abs_diff_eq(b.0.radians, ROUNDED_OFF)
+            && a.1
+                .abs_diff_eq(b.1, ROUNDED_OFF * a.1.abs().max_element().max(1.0))
+    })
 }
 
 /// Message about a pose that some joints of `missing` names were left out of.

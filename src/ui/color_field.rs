@@ -1,5 +1,6 @@
 //! The field of a shape's color.
 
+use super::menu_keys;
 use super::theme::Palette;
 use super::widgets::named;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, ShapeColor};
@@ -31,17 +32,19 @@ pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeCo
         .width(width - used)
         .selected_text(COLOR_PRESETS[color.preset_index()].name)
         .show_ui(ui, |ui| {
-            for index in 0..COLOR_PRESETS.len() {
-                if preset(ui, index, color) {
-                    chosen = Some(if index == CUSTOM_PRESET {
-                        ShapeColor::Custom(color.rgb())
-                    } else {
-                        ShapeColor::Preset(index)
-                    });
-                    // A key has not closed it.
-                    ui.close();
+            menu_keys::level(ui, None, |ui| {
+                for index in 0..COLOR_PRESETS.len() {
+                    if preset(ui, index, color) {
+                        chosen = Some(if index == CUSTOM_PRESET {
+                            ShapeColor::Custom(color.rgb())
+                        } else {
+                            ShapeColor::Preset(index)
+                        });
+                        // A key has not closed it.
+                        ui.close();
+                    }
                 }
-            }
+            });
         });
     named(combo.response, "Color");
     chosen.filter(|&chosen| chosen != color)
@@ -63,14 +66,9 @@ fn preset(ui: &mut Ui, index: usize, color: ShapeColor) -> bool {
         };
         paint_swatch(ui, rect, shown);
     }
-    if selected {
-        // Keys move on from here, however the list was opened.
-        if ui.memory(|memory| memory.focused().is_none()) {
-            line.response.request_focus();
-        }
-        if line.response.gained_focus() {
-            line.response.scroll_to_me(None);
-        }
+    menu_keys::choice(&line.response, selected);
+    if line.response.gained_focus() {
+        line.response.scroll_to_me(None);
     }
     line.response.clicked()
 }

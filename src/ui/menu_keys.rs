@@ -36,6 +36,8 @@ struct Item {
     id: Id,
     is_enabled: bool,
     opens: bool,
+    /// Whether keys go on from it while no item has the keyboard.
+    is_current: bool,
 }
 
 impl MenuKeys {
@@ -49,7 +51,12 @@ impl MenuKeys {
         let place = (0..self.last.len())
             .rev()
             .find_map(|level| Some((level, of(&self.last[level])?)));
-        let Some((level, place)) = place else {
+        let current = || {
+            let level = self.last.len().checked_sub(1)?;
+            let mut items = self.last[level].items.iter();
+            Some((level, items.position(|item| item.is_current)?))
+        };
+        let Some((level, place)) = place.or_else(current) else {
             return self.enter_deepest(key);
         };
         let items = &self.last[level].items;
@@ -179,14 +186,20 @@ pub(super) fn level(ui: &mut Ui, opener: Option<Id>, items: impl FnOnce(&mut Ui)
 
 /// Takes note of an item of the menu that is being filled.
 pub(super) fn item(response: &Response) {
-    note(response, false);
+    note(response, false, false);
 }
 
-fn note(response: &Response, opens: bool) {
+/// The same of an item of a list that is the chosen one, if it `is_current`: keys go on from that.
+pub(super) fn choice(response: &Response, is_current: bool) {
+    note(response, false, is_current);
+}
+
+fn note(response: &Response, opens: bool, is_current: bool) {
     let item = Item {
         id: response.id,
         is_enabled: response.enabled(),
         opens,
+        is_current,
     };
     MenuKeys::update(&response.ctx, |keys| {
         let level = keys.filled.last().copied();
@@ -227,7 +240,7 @@ pub(super) fn submenu(ui: &mut Ui, label: &str, contents: impl FnOnce(&mut Ui)) 
     let button = ui.menu_button(label, |ui| level(ui, Some(id), contents));
     let is_open = button.inner.is_some();
     let response = button.response;
-    note(&response, true);
+    note(&response, true, false);
     if response.clicked() && response.has_focus() && is_open {
         MenuKeys::update(ui.ctx(), |keys| keys.open(id));
     }

@@ -94,6 +94,22 @@ fn a_joint_that_is_turned_by_a_hair_is_told_alone_and_with_digits_that_show_it()
 }
 
 #[test]
+fn angles_that_a_mesh_shows_are_without_what_single_precision_adds_to_them() {
+    let mut figure = Figure::builtin("adult", turned(87));
+    let mut joints = figure.character.skeleton().joints().iter();
+    let hip = joints.position(|joint| joint.name == "Right hip").unwrap();
+    for theirs in [Vec3::ZERO, Vec3::new(20.0, 30.0, -10.0)] {
+        figure.degrees[hip] = Vec3::new(35.0, -15.0, 45.0);
+        let expected = figure.pose();
+        figure.degrees[hip] = theirs;
+        let found = figure.diagnose_in(&expected, &written(&RIGHT.skin(&figure), 6));
+        let other = found.other_pose.expect("another pose");
+        assert_eq!(other.pose.rotation(hip), Euler::from_degrees(theirs));
+        assert_eq!(other.pose.is_changed(hip), theirs != Vec3::ZERO);
+    }
+}
+
+#[test]
 fn angles_beyond_half_a_turn_are_told_as_the_panel_shows_them() {
     let mut figure = Figure::builtin("adult", |_| Vec3::ZERO);
     let mut joints = figure.character.skeleton().joints().iter();

@@ -262,7 +262,7 @@ fn vertices_alone_are_enough_if_they_are_all() {
     );
     fs::write(folder.path().join("points.txt"), "v 1 1 0\n").unwrap();
     let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
-    let told = "points.txt:1:8: expected 3 vertices, or faces, found 1 vertex alone";
+    let told = "points.txt:1:8: expected 3 vertices, or faces, found 1 vertex alone: the file may be cut off";
     assert!(ran.code == Some(1) && ran.err.contains(told), "{}", ran.err);
 }
 

@@ -295,8 +295,11 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ["max", "una", "nil", "ned"].map(points),
         [9.0, 9.0, 9.0, 10.0]
     );
-    // Half of the points for what agrees, which is nearly all.
-    assert!((4.0..5.0).contains(&points("cem")), "{}", points("cem"));
+    // Nearly all agrees: from 45 % of the points where nine tenths do to what is right but for few.
+    let near = result(&report, "cem", "adult-1")["near"].as_f64().unwrap();
+    assert!((0.9..0.99).contains(&near), "{near}");
+    let expected = 4.5 + (near - 0.9) / 0.09 * 4.5;
+    assert!((points("cem") - expected).abs() < 0.01, "{}", points("cem"));
 }
 
 #[test]

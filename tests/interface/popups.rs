@@ -81,14 +81,30 @@ fn the_choice_of_a_color_is_closed_by_a_click_that_does_nothing_else() {
 #[test]
 fn in_the_list_of_colors_keys_move_from_the_one_there_is_though_a_click_opened_it() {
     let mut editor = Editor::with_figure();
-    editor.click("Color");
-    editor.click("Teal");
-    let at = editor.widget("Color").rect().center();
-    editor.press_and_release_at(at);
-    editor.key(Key::ArrowDown);
-    editor.key(Key::Enter);
-    assert_eq!(editor.shape().placement.color, ShapeColor::Preset(15));
-    assert!(!egui::Popup::is_any_open(&editor.harness.ctx));
+    let pose = editor.character().pose().clone();
+    for (start, key, chosen) in [
+        ("Teal", Key::ArrowDown, 15),
+        ("Light Gray", Key::ArrowUp, 29),
+        ("Nero", Key::ArrowUp, 28),
+    ] {
+        editor.click("Color");
+        editor.click(start);
+        let at = editor.widget("Color").rect().center();
+        editor.press_and_release_at(at);
+        editor.key(key);
+        editor.key(Key::Enter);
+        assert_eq!(
+            editor.shape().placement.color,
+            ShapeColor::Preset(chosen),
+            "{start}"
+        );
+        assert!(!egui::Popup::is_any_open(&editor.harness.ctx));
+    }
+    assert_eq!(
+        editor.character().pose(),
+        &pose,
+        "nothing behind it has turned"
+    );
 }
 
 #[test]

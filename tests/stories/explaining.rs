@@ -96,6 +96,20 @@ fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
     let before = numbers(&story);
     story.type_into("Left elbow Z", "60");
     assert!(before.is_some() && numbers(&story).is_some() && numbers(&story) != before);
+    // With no joint at hand it is one that the pose moves.
+    let mut story = Story::start(&["builtin:adult"]);
+    story.size = (1280, 1000);
+    story.settle();
+    story.type_into("Right knee X", "50");
+    story.key(Key::Escape);
+    story.click("View");
+    story.click("Explain Skinning");
+    assert!(story.session().selected_joint().is_none());
+    let mut nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+    assert!(nodes.any(|(_, node)| {
+        let label = node.label().unwrap_or_default();
+        label.starts_with("Right knee: w")
+    }));
 }
 
 #[test]

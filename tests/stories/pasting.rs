@@ -92,6 +92,37 @@ fn what_was_copied_with_all_joints_goes_onto_all_of_these_names_whatever_a_click
 }
 
 #[test]
+fn of_joints_that_were_copied_those_are_told_that_the_other_character_does_not_have() {
+    let (mut story, adult, robot) = Story::with_adult_and_robot();
+    story.turn_joint(adult, "Waist", 20.0);
+    story.select_all_joints(adult);
+    story.copy();
+    story.select_joints(robot, &[]);
+    story.paste();
+    let told = story.last_told();
+    let without = "joints, without Waist, which this character does not have";
+    assert!(told.ends_with(without), "{told}");
+    // What is at rest is not missed.
+    story.turn_joint(adult, "Waist", 0.0);
+    story.select_all_joints(adult);
+    story.copy();
+    story.turn_joint(robot, "Left elbow", 10.0);
+    story.paste();
+    assert!(story.last_told().ends_with("joints, as copied"));
+}
+
+#[test]
+fn a_pose_that_goes_back_onto_its_own_character_is_no_step() {
+    let (mut story, adult, _) = Story::with_adult_and_robot();
+    story.turn_joint(adult, "Left elbow", 37.123_456);
+    story.copy();
+    let steps = story.session().steps().count();
+    story.paste();
+    assert_eq!(story.last_told(), "Adult has this pose already");
+    assert_eq!(story.session().steps().count(), steps);
+}
+
+#[test]
 fn a_selected_joint_that_the_pose_lacks_stays_as_it_is_and_nothing_claims_otherwise() {
     let (mut story, adult, robot) = Story::with_adult_and_robot();
     story.turn_joint(robot, "Antenna", 40.0);

@@ -24,6 +24,8 @@ use std::ops::RangeInclusive;
 const TOLD_APART: f64 = 0.1;
 /// The same where none of a pose is, of angles that were rounded.
 const TOLD_APART_OF_SMALL: f64 = 0.01;
+/// Parts of a degree that a mesh tells.
+const DEGREES_TOLD: f64 = 1e3;
 /// Digits after the point with which angles are told: more than the fewest only where it takes them to tell two apart.
 const DIGITS: RangeInclusive<i32> = 1..=3;
 /// Angle up to which a joint is as good as turned as expected, such as by angles that are cut to whole degrees, in
@@ -240,7 +242,7 @@ impl Search<'_> {
             whole.set_joint_transform(joint, after);
             whole.set_root_offset(joint, offsets[joint].as_vec3());
             if is_turned {
-                plain.set_joint_transform(joint, after);
+                plain.set_joint_transform(joint, without_noise(after));
             }
             if is_moved {
                 plain.set_root_offset(joint, offsets[joint].as_vec3());
@@ -283,6 +285,13 @@ fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> 
         };
     }
     if all == 0.0 { 1.0 } else { counted / all }
+}
+
+/// Angles without the digits that a mesh in single precision does not tell.
+fn without_noise(rotation: Euler) -> Euler {
+    let degrees = rotation.degrees().to_array().map(f64::from);
+    let rounded = degrees.map(|angle| (angle * DEGREES_TOLD).round() / DEGREES_TOLD);
+    Euler::from_degrees(Vec3::from(rounded.map(|angle| angle as f32)))
 }
 
 /// The angle between two rotations, in degrees.

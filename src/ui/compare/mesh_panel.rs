@@ -321,7 +321,7 @@ impl Parts<'_> {
             return say(ui, &format!("Shown by {first}"), color);
         }
         let joint = first.joint.as_deref();
-        let at = joint.map_or(String::new(), |joint| format!(", the first at {joint}"));
+        let at = joint.map_or(String::new(), |joint| format!(", the worst at {joint}"));
         let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
         let is_marked = self.chosen.marked == Some(first.vertex);
         let button = ui.add(Button::selectable(is_marked, text).wrap());

@@ -59,7 +59,7 @@ impl Told {
 
 impl ExplainState {
     /// The vertex that is explained: the one that was picked, or one where there is much to see: one that
-    /// `joint` moves, and of those with several weights the farthest from the origin.
+    /// `joint` moves, or else a joint that the pose turns, and of those with several weights the farthest from the origin.
     pub(super) fn vertex(&mut self, explained: &Explained, joint: Option<usize>) -> usize {
         let attachments = explained.shape.character.attachments();
         let picked = self.picked.filter(|&(shape, vertex)| {
@@ -79,9 +79,14 @@ impl ExplainState {
             let heavy = influences.filter(|one| one.weight.abs() >= HEAVY);
             heavy.count().min(ENOUGH)
         };
-        let is_moved = |vertex: &usize| {
+        let pose = explained.shape.pose();
+        let moved_by = |vertex: &usize, is_one: &dyn Fn(usize) -> bool| {
             let mut influences = attachments.of_vertex(*vertex).iter();
-            influences.any(|one| joint == Some(one.joint as usize) && one.weight.abs() >= HEAVY)
+            influences.any(|one| is_one(one.joint as usize) && one.weight.abs() >= HEAVY)
+        };
+        let is_moved = |vertex: &usize| {
+            let by_joint = moved_by(vertex, &|one| joint == Some(one));
+            (by_joint, moved_by(vertex, &|one| pose.is_changed(one)))
         };
         let far = |vertex: &usize| positions[*vertex].length();
         let most = (0..attachments.vertex_count()).max_by(|a, b| {

@@ -11,7 +11,7 @@ use crate::ui::number_field::NumberField;
 use crate::ui::pointing::Pointing;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
-use crate::ui::{axis_ball, commands};
+use crate::ui::{axis_ball, commands, menu_keys};
 use egui::{
     Atom, Button, Color32, ComboBox, Context, Frame, Id, Margin, Rect, Sense, TextStyle, Ui,
     UiBuilder, vec2,
@@ -251,9 +251,17 @@ fn pole(ui: &mut Ui, facing: Facing, pole: &mut IkPole) {
         .selected_text(pole.label(facing))
         .width(88.0)
         .show_ui(ui, |ui| {
-            for choice in IkPole::ALL {
-                ui.selectable_value(pole, choice, choice.label(facing));
-            }
+            menu_keys::level(ui, None, |ui| {
+                for choice in IkPole::ALL {
+                    let is_current = *pole == choice;
+                    let item = ui.selectable_value(pole, choice, choice.label(facing));
+                    menu_keys::choice(&item, is_current);
+                    if item.clicked() {
+                        // A key has not closed it.
+                        ui.close();
+                    }
+                }
+            });
         });
     named(combo.response, "Bend direction");
 }
