@@ -2,6 +2,7 @@
 
 use super::MOST_TOLERANCE;
 use super::faces::FaceDifference;
+use super::mannequin_words::ToldFor;
 use super::mistake::Mistake;
 use super::nearest::{NEARLY_ALL, Nearest};
 use super::other_pose::OtherPose;
@@ -73,6 +74,9 @@ pub struct Diagnosis {
     pub findings: Vec<OfTheWhole>,
     /// How its numbers are rounded, if that is too coarse to tell mistakes apart.
     pub coarse: Option<Coarse>,
+    /// Whose program it is told for.
+    #[serde(skip)]
+    pub told_for: ToldFor,
 }
 
 /// What a mesh is nearly, which no known mistake gives.

@@ -210,7 +210,7 @@ impl Diagnosis {
             write!(f, "\n  indistinguishable here: {}", all.join(", "))?;
             if let [ids] = &*self.same_as {
                 for other in ids.iter().filter_map(|id| Mistake::find(id)) {
-                    write!(f, "\n           {}", other.told())?;
+                    write!(f, "\n           {}", other.told_for(self.told_for))?;
                 }
             }
         }

@@ -4,6 +4,7 @@ use super::as_good;
 use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, Verdict, all_causes};
 use super::faces::FaceDifference;
 use super::formula::VertexOrder;
+use super::mannequin_words::ToldFor;
 use super::mistake::{IN_ANY_ORDER, Mistake};
 use super::model::Model;
 use super::placed::Limits;
@@ -65,6 +66,7 @@ impl Findings<'_> {
             nearest: None,
             findings: Vec::new(),
             coarse: None,
+            told_for: ToldFor::default(),
         }
     }
 

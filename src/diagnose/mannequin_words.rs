@@ -110,9 +110,10 @@ fn look_at(id: &str, section: &str) -> Option<&'static str> {
 }
 
 /// Whose program is told what is wrong with it, by the files and functions that it has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ToldFor {
     /// The course's editor, which reads `.skel`, `.attach` and `.obj` files.
+    #[default]
     CourseEditor,
     /// The Virtual Mannequin, which reads Collada files.
     VirtualMannequin,
@@ -172,6 +173,7 @@ impl Diagnosis {
     #[must_use]
     pub fn told_for(self, program: ToldFor) -> Self {
         Self {
+            told_for: program,
             mistakes: told_for(self.mistakes, program),
             nearest: self.nearest.map(|nearest| Nearest {
                 mistake: nearest.mistake.told_for(program),

@@ -76,9 +76,4 @@ impl Mistake {
     pub fn find(id: &str) -> Option<&'static Self> {
         Self::all().find(|mistake| mistake.id == id)
     }
-
-    /// What it is in words, after its name.
-    pub fn told(&self) -> String {
-        format!("{}: {}", self.id, self.meaning)
-    }
 }

@@ -92,7 +92,10 @@ fn errors_name_line_and_column() {
             "<COLLADA/>",
             "1:1: expected <library_visual_scenes> in <COLLADA>",
         ),
-        (&word, "5:2: expected a number, found “zero”"),
+        (
+            &word,
+            "5:2: expected a number, found “zero”: the mesh is left out",
+        ),
     ] {
         says(text, &format!("error a.dae:{part}"));
     }
@@ -322,8 +325,16 @@ fn indices_out_of_range_leave_their_triangle_or_weight_out() {
         );
     }
     for (vcount, v, part) in [
-        ("1 1 1", "0 0 2 0 0 1", "found others 2 times: left out"),
-        ("1 1 1", "-1 0 0 0 0 0", "found others 1 times"),
+        (
+            "1 1 1",
+            "0 0 2 0 0 1",
+            "found others 2 times, first joint 2 with weight 0 at position 1 (from 0): left out",
+        ),
+        (
+            "1 1 1",
+            "-1 0 0 0 0 0",
+            "found others 1 time, first joint -1 with weight 0 at position 0 (from 0): left out",
+        ),
         ("1 1 1", "0 0 0", "expected <v> as long as <vcount> says"),
         (
             "1 1",
@@ -370,6 +381,11 @@ fn numbers_that_are_not_finite_count_as_zero() {
         ..Skin::default()
     };
     says(arm(&weights), "a.dae:");
+    let weights = good().replacen("0.5 1", "half 1", 1);
+    says(
+        weights,
+        "expected a number, found “half”: the weights are left out",
+    );
     let matrix = good().replacen(IDENTITY, "nan 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", 1);
     says(matrix, "expected a number, found “nan”");
     for numbers in ["1e30 0 0", "1e308 0 0"] {

@@ -61,12 +61,11 @@ impl Geometries {
         if let Some(known) = self.read.get(&node.id()) {
             return known.clone();
         }
-        let geometry = dae
-            .or_warn(
-                Impact::Shape,
-                meshes::read_geometry(dae, &mut self.sources, node),
-            )
-            .map(Rc::new);
+        let read = meshes::read_geometry(dae, &mut self.sources, node).map_err(|mut error| {
+            error.message += ": the mesh is left out";
+            error
+        });
+        let geometry = dae.or_warn(Impact::Shape, read).map(Rc::new);
         self.read.insert(node.id(), geometry.clone());
         geometry
     }
@@ -124,6 +123,10 @@ pub(super) fn read<'a>(
         read.joints.len(),
         positions,
     );
+    let rows = rows.map_err(|mut error| {
+        error.message += ": the weights are left out";
+        error
+    });
     read.weights = dae.or_warn(Impact::Shape, rows).unwrap_or_default();
     Ok(Some(Controller::Skin(Rc::new(read))))
 }
@@ -224,7 +227,8 @@ fn weights<'a>(
     let mut rows = Rows::default();
     let mut left = indices.chunks_exact(stride);
     let (mut missing, mut bad) = (0_usize, 0_usize);
-    for &count in &counts {
+    let mut first_bad = None;
+    for (position, &count) in counts.iter().enumerate() {
         let mut found = 0;
         for pair in left.by_ref().take(count as usize) {
             found += 1;
@@ -235,7 +239,11 @@ fn weights<'a>(
                 (Ok(joint), Ok(weight)) if joint < joints && weight < values.len() => {
                     rows.pairs.push((joint as u32, values.row::<1>(weight)[0]));
                 }
-                _ => bad += 1,
+                _ => {
+                    bad += 1;
+                    let numbers = [joint, weight].map(|input| pair[input.offset]);
+                    first_bad.get_or_insert((position, numbers));
+                }
             }
         }
         missing = missing.saturating_add(count as usize - found);
@@ -248,13 +256,14 @@ fn weights<'a>(
             "expected <v> as long as <vcount> says, found another length",
         );
     }
-    if bad > 0 {
+    if let Some((position, [joint, weight])) = first_bad {
         let limit = quoted(&format!("0 to {}", joints.saturating_sub(1)));
+        let times = if bad == 1 { "time" } else { "times" };
         dae.warn(
             Impact::Shape,
             node,
             format!(
-                "expected joints {limit} and weights that exist, found others {bad} times: left out"
+                "expected joints {limit} and weights that exist, found others {bad} {times}, first joint {joint} with weight {weight} at position {position} (from 0): left out"
             ),
         );
     }

@@ -3,7 +3,9 @@
 use super::panel::{label, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
 use crate::compare::sentence;
-use crate::diagnose::{Diagnosis, Mistake, OtherPose, POSE_NOT_APPLIED, Shown, Verdict, of_size};
+use crate::diagnose::{
+    Diagnosis, Mistake, OtherPose, POSE_NOT_APPLIED, Shown, ToldFor, Verdict, of_size,
+};
 use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
 use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
@@ -212,7 +214,7 @@ impl Parts<'_> {
                     let ids = diagnosis.unseen.iter().copied();
                     label(ui, &text, palette.weak).on_hover_text(format!(
                         "{}\n\nA pose that turns joints about several axes shows more.",
-                        meanings(ids)
+                        meanings(ids, diagnosis.told_for)
                     ));
                 }
                 return;
@@ -266,7 +268,8 @@ impl Parts<'_> {
             all.collect::<Vec<_>>().join(", ")
         );
         let ids = diagnosis.same_as.iter().flatten().copied();
-        label(ui, &text, Palette::of(ui.visuals()).weak).on_hover_text(meanings(ids));
+        label(ui, &text, Palette::of(ui.visuals()).weak)
+            .on_hover_text(meanings(ids, diagnosis.told_for));
     }
 
     /// What is known of a mesh that no mistake gives.
@@ -389,8 +392,9 @@ impl Parts<'_> {
 }
 
 /// What mistakes of these names are, a line each.
-fn meanings<'a>(ids: impl Iterator<Item = &'a str>) -> String {
-    let told = ids.filter_map(|id| Some(Mistake::find(id)?.told()));
+fn meanings<'a>(ids: impl Iterator<Item = &'a str>, program: ToldFor) -> String {
+    let mistakes = ids.filter_map(Mistake::find);
+    let told = mistakes.map(|mistake| mistake.told_for(program).to_string());
     told.collect::<Vec<_>>().join("\n")
 }
 
