@@ -1,15 +1,31 @@
-//! Which weights a program may have kept by the same formula: of equal ones a sort leaves any first.
+//! Which weights a program may have kept by the same formula: of equal ones a sort leaves any first, and which way halves
+//! are rounded differs.
 
-use super::formula::{Kept, WeightFormula};
+use super::formula::{Halves, Kept, Rounded, WeightFormula};
 use super::skin::keep;
 use crate::character::Influence;
 
 /// Equal weights of which more are not exchanged for one another: there are too many ways.
 const MOST_EQUALS: usize = 12;
 
-/// The weights of a vertex that may count, each with the index of its joint: more than one choice where some of those
-/// that are kept are as large as some that are not.
+/// The weights of a vertex that may count, each with the index of its joint: more than one choice where they are rounded,
+/// and where some of those that are kept are as large as some that are not.
 pub(super) fn choices(influences: &[Influence], formula: WeightFormula) -> Vec<Vec<(usize, f64)>> {
+    let Rounded::ToDigits(digits, _) = formula.rounded else {
+        return of_equals(influences, formula);
+    };
+    let ways = Halves::ALL.map(|halves| WeightFormula {
+        rounded: Rounded::ToDigits(digits, halves),
+        ..formula
+    });
+    let of_each = ways.into_iter();
+    of_each
+        .flat_map(|formula| of_equals(influences, formula))
+        .collect()
+}
+
+/// The same where it is known which way halves go.
+fn of_equals(influences: &[Influence], formula: WeightFormula) -> Vec<Vec<(usize, f64)>> {
     let kept = |influences: &[Influence]| {
         let mut kept = Vec::new();
         keep(influences, formula, &mut kept);

@@ -44,10 +44,12 @@ const HARDLY_ANY: f64 = 0.05;
 const FEWEST: usize = 40;
 
 impl FaceDifference {
-    /// The difference of `theirs`, about whose vertices so much is `found`, from a model.
+    /// The difference of `theirs`, about whose vertices so much is `found`, from a model. They may be those of another
+    /// order, as one for each corner, and then not `in_order`.
     pub(super) async fn find(
         model: &Model<'_>,
         found: &Diagnosis,
+        in_order: bool,
         theirs: &Mesh,
         pace: &Pace,
     ) -> Self {
@@ -55,7 +57,7 @@ impl FaceDifference {
             Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
             Verdict::Explained => !found.causes.contains(&RENUMBERED),
             Verdict::Unexplained => found.nearly_right().is_some(),
-        };
+        } && in_order;
         let (model, theirs) = (model.triangles(), &theirs.triangles);
         if knows_which_is_which {
             Self::of_same_vertices(model, theirs, pace).await

@@ -2,7 +2,7 @@
 
 pub use super::factor_formula::{Divided, Factor, Factors, Shaped};
 pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached, Unfilled};
-pub use super::weight_formula::{Columns, Kept, Rescaled, Rounded, Rows, WeightFormula};
+pub use super::weight_formula::{Columns, Halves, Kept, Rescaled, Rounded, Rows, WeightFormula};
 use crate::character::{Character, FileFrames};
 use glam::{DMat3, DQuat};
 
@@ -328,7 +328,7 @@ impl Formula {
     /// Whether digits of angles or weights are rounded off.
     pub(super) fn rounds_digits(&self) -> bool {
         self.joint.rounded != RoundedAngles::No
-            || matches!(self.weights.rounded, Rounded::ToDigits(1..))
+            || matches!(self.weights.rounded, Rounded::ToDigits(1.., _))
     }
 
     /// Whether it changes something of a character: what it changes may be what only Collada files have, or only others.

@@ -59,8 +59,7 @@ pub(super) struct MadeAlone<'a> {
 
 impl<'a> MadeAlone<'a> {
     fn new(search: &'a Search<'a>, order: VertexOrder, exact: &'a [Placed]) -> Self {
-        let off =
-            |&&vertex: &&usize| exact[vertex].distance(search.theirs[vertex]) > search.tolerance;
+        let off = |&&vertex: &&usize| search.is_off(exact[vertex], search.theirs[vertex]);
         Self {
             search,
             order,

@@ -165,11 +165,12 @@ pub static MISTAKES: &[Mistake] = &[
             }),
         ],
     },
+    // Reversed as a whole first: of orders that give the same that is the one which programs have most often.
+    euler!("euler-zyx", "Rz · Ry · Rx", [2, 1, 0]),
     euler!("euler-xzy", "Rx · Rz · Ry", [0, 2, 1]),
     euler!("euler-yxz", "Ry · Rx · Rz", [1, 0, 2]),
     euler!("euler-yzx", "Ry · Rz · Rx", [1, 2, 0]),
     euler!("euler-zxy", "Rz · Rx · Ry", [2, 0, 1]),
-    euler!("euler-zyx", "Rz · Ry · Rx", [2, 1, 0]),
     one_way!(
         "degrees-as-radians",
         SLIDERS,

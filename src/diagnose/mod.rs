@@ -50,9 +50,9 @@ pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMista
 pub use diagnosis_words::{in_words, of_size, part_of_size, within_everywhere};
 pub use faces::FaceDifference;
 pub use formula::{
-    About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula,
-    JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations, Rounded, Rows,
-    Shaped, VertexOrder, WeightFormula,
+    About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, Halves,
+    JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations,
+    Rounded, Rows, Shaped, VertexOrder, WeightFormula,
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, POSE_LATE, SUM_NOT_RESET};
 pub use job::MeshJob;
@@ -151,7 +151,9 @@ async fn diagnose_by(
     let found = diagnose_vertices(&model, pose, vertices, &pace).await;
     let error = match found {
         Ok(mut found) => {
-            found.judge(FaceDifference::find(&model, &found, theirs, &pace).await);
+            let order = order_of(&model, vertices.len()).unwrap_or(VertexOrder::File);
+            let is_in_order = order == VertexOrder::File;
+            found.judge(FaceDifference::find(&model, &found, is_in_order, theirs, &pace).await);
             return Ok(found);
         }
         Err(error) => error,
@@ -162,7 +164,7 @@ async fn diagnose_by(
         let model = lacking.as_ref().unwrap_or(&model);
         let mut others = diagnose_vertices(model, pose, miscount.without(vertices), &pace).await?;
         if !miscount.renumbers() {
-            others.judge(FaceDifference::find(model, &others, theirs, &pace).await);
+            others.judge(FaceDifference::find(model, &others, true, theirs, &pace).await);
         }
         if let Some(found) = miscount.added_to(others) {
             return Ok(found);
@@ -227,7 +229,7 @@ async fn diagnose_vertices(
     let of_numbers = precision::of_vertices(half_step);
     let rounding = of_numbers.max(AS_GOOD_AS_NONE * size);
     let fits = search.within(rounding.max(error / MUCH_NEARER));
-    let (alone, mut explanations) = sought(&search, &fits, &findings, rounding, pace).await;
+    let (mut alone, mut explanations) = sought(&search, &fits, &findings, rounding, pace).await;
     let limits = placed::Limits {
         tolerance,
         rounding: of_numbers,
@@ -274,6 +276,7 @@ async fn diagnose_vertices(
         }
         // What is explained whole has nothing that is only near it.
         if found.other_pose.is_none() && found.findings.is_empty() {
+            alone.extend(search.near_whole_program(pace).await);
             found.nearest = nearest::find(&search, model, pose, order, &alone);
         }
         return Ok(found);
@@ -316,7 +319,8 @@ async fn sought(
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
-        explanations = made_alone::find(search, fits, order, exact, size, pace).await;
+        let alone = made_alone::find(search, fits, order, exact, size, pace).await;
+        explanations.extend(alone.into_iter().map(|it| it.of_order(order)));
     } else if order == VertexOrder::File {
         let as_well = made_alone::as_well(search, order, exact, pace).await;
         // What is used twice is told only where nothing simpler gives the same.

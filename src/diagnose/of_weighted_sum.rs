@@ -1,6 +1,6 @@
 //! Mistakes of a whole program in the weighted sum: in what is summed, and in the weights.
 
-use super::formula::{Begun, Columns, Factors, Kept, Rescaled, Rounded};
+use super::formula::{Begun, Columns, Factors, Halves, Kept, Rescaled, Rounded};
 use super::mistake::{EVERY_JOINT_COUNTS, Mistake, SSD, reading};
 
 /// A mistake in the weighted sum.
@@ -163,13 +163,13 @@ pub(super) static WEIGHTS_ROUNDED: Mistake = Mistake {
             formula.weights.rounded = Rounded::Down;
         }),
         reading("to the nearest whole number", |formula| {
-            formula.weights.rounded = Rounded::ToDigits(0);
+            formula.weights.rounded = Rounded::ToDigits(0, Halves::Up);
         }),
         reading("to one digit after the point", |formula| {
-            formula.weights.rounded = Rounded::ToDigits(1);
+            formula.weights.rounded = Rounded::ToDigits(1, Halves::Up);
         }),
         reading("to two digits after the point", |formula| {
-            formula.weights.rounded = Rounded::ToDigits(2);
+            formula.weights.rounded = Rounded::ToDigits(2, Halves::Up);
         }),
     ],
 };

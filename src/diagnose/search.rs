@@ -77,6 +77,14 @@ impl Explanation {
         self.made.iter().map(|made| made.mistake.id).collect()
     }
 
+    /// The same beside that vertices are in `order`, if that is not the file's.
+    pub(super) fn of_order(mut self, order: VertexOrder) -> Self {
+        let in_order = |made: &Made| formula(&[*made]).vertex_order == order;
+        let renumbered = (order != VertexOrder::File).then(|| ways().find(in_order));
+        self.made.splice(..0, renumbered.flatten());
+        self
+    }
+
     /// The same with [`VERTEX_WITHOUT_W`] in the place of the mistake that always gives the same mesh, if that is in it.
     pub(super) fn without_w(&self) -> Option<Self> {
         let mistake = &VERTEX_WITHOUT_W;
@@ -206,7 +214,10 @@ impl<'a> Search<'a> {
         };
         let all: Vec<(Made, Made, Formula)> =
             pairs_of_ways().chain(pairs_with_whole_program()).collect();
-        let mut found = Vec::new();
+        let mut found = self.left_over(pace).await;
+        if !found.is_empty() {
+            return found;
+        }
         for (done, (first, second, both)) in all.iter().enumerate() {
             pace.tell(done as f32 / all.len() as f32);
             let Some(mut skinner) = self.skinner(both) else {
@@ -235,6 +246,32 @@ impl<'a> Search<'a> {
             }));
         }
         found
+    }
+
+    /// Mistakes that alone explain the mesh, of those that are sought otherwise where they are alone: beside another one
+    /// that makes no difference they would explain it as well.
+    async fn left_over(&self, pace: &Pace) -> Vec<Explanation> {
+        let mut found = Vec::new();
+        let by_numbers = |made: &Made| std::ptr::eq(made.mistake, &raw const ANGLES_SCALED);
+        for made in ways_of_whole_program().filter(|made| !by_numbers(made)) {
+            if let Some(mut skinner) = self.skinner(&formula(&[made])) {
+                found.extend(self.explained_by(&mut skinner, vec![made], pace).await);
+            }
+        }
+        found
+    }
+
+    /// How near the mesh is to those that mistakes of a whole program give, each by itself.
+    pub(super) async fn near_whole_program(&self, pace: &Pace) -> Vec<Alone> {
+        let mut alone = Vec::new();
+        for made in ways_of_whole_program() {
+            if let Some(mut skinner) = self.skinner(&formula(&[made])) {
+                let nearness = self.nearness(&mut skinner);
+                alone.push(Alone { made, nearness });
+                pace.after(self.sample.len()).await;
+            }
+        }
+        alone
     }
 
     /// How far the mesh is from the one with a mistake alone, at most.
@@ -290,6 +327,11 @@ impl<'a> Search<'a> {
         let fits = self.model.count(formula.vertex_order) == self.theirs.len()
             && formula.is_of(self.model.character);
         fits.then(|| Skinner::new(self.model, self.pose, formula))
+    }
+
+    /// Whether `theirs` is farther from where a formula puts the vertex than meshes are that agree.
+    pub(super) fn is_off(&self, placed: Placed, theirs: DVec3) -> bool {
+        placed.distance_by(self.metric, theirs) > self.tolerance
     }
 
     /// How far a vertex is from where `skinner` puts it; for one far outside as if it were not farther out than others.

@@ -1,7 +1,7 @@
 //! Skinning by any formula, in double precision.
 
 use super::choices::choices;
-use super::formula::{Factors, Formula, Kept, Rescaled, Rows, WeightFormula};
+use super::formula::{Factors, Formula, Kept, Rescaled, Rounded, Rows, WeightFormula};
 use super::joint_transforms::Joints;
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -55,7 +55,7 @@ impl Placed {
         self.distance_by(Metric::Straight, theirs)
     }
 
-    fn distance_by(self, metric: Metric, theirs: DVec3) -> f64 {
+    pub(super) fn distance_by(self, metric: Metric, theirs: DVec3) -> f64 {
         let mut distance = metric.between(self.at, theirs);
         if self.is_unweighted {
             distance = distance.min(metric.between(DVec3::ZERO, theirs));
@@ -183,7 +183,9 @@ impl<'a> Skinner<'a> {
     pub(super) fn distance(&mut self, index: usize, theirs: DVec3, metric: Metric) -> f64 {
         let usual = self.place(index).distance_by(metric, theirs);
         let weights = self.formula.weights;
-        let is_one_way = weights.rows == Rows::Exact && !matches!(weights.kept, Kept::Largest(_));
+        let is_one_way = weights.rows == Rows::Exact
+            && !matches!(weights.kept, Kept::Largest(_))
+            && !matches!(weights.rounded, Rounded::ToDigits(..));
         if is_one_way || self.formula.factors == Factors::Nothing {
             return usual;
         }

@@ -29,7 +29,22 @@ pub enum Rounded {
     /// The next whole number below.
     Down,
     /// The nearest one with so many digits after the point.
-    ToDigits(i32),
+    ToDigits(i32, Halves),
+}
+
+/// Which way a number goes that is in the middle between two with fewer digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Halves {
+    /// Up, as far as single precision tells: `round(10 * w) / 10`.
+    Up,
+    /// To the even digit, as far as single precision tells: `rint(10 * w) / 10`.
+    ToEven,
+    /// To where it is nearer in fact, as `printf` writes it.
+    AsTheyAre,
+}
+
+impl Halves {
+    pub(super) const ALL: [Self; 3] = [Self::Up, Self::ToEven, Self::AsTheyAre];
 }
 
 impl Rounded {
@@ -37,10 +52,14 @@ impl Rounded {
         match self {
             Self::No => weight,
             Self::Down => weight.floor(),
-            Self::ToDigits(digits) => {
-                // As programs do it, in single precision: which way halves go depends on that.
-                let scale = 10_f32.powi(digits);
-                f64::from((weight as f32 * scale).round() / scale)
+            Self::ToDigits(digits, halves) => {
+                let (scale, single) = (10_f64.powi(digits), weight as f32 * 10_f32.powi(digits));
+                let rounded = match halves {
+                    Halves::Up => f64::from(single.round()),
+                    Halves::ToEven => f64::from(single.round_ties_even()),
+                    Halves::AsTheyAre => (weight * scale).round_ties_even(),
+                };
+                rounded / scale
             }
         }
     }

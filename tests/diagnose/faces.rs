@@ -2,13 +2,13 @@
 
 use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, obj, turned};
-use crate::diagnose::student::{RIGHT, with};
+use crate::diagnose::student::{RIGHT, Student, with};
 use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, Diagnosis, FaceDifference, Verdict, diagnose};
 use editor_core::geometry::Mesh;
 use editor_core::io::{read_character_obj, read_posed_vertices};
 use editor_core::math::Euler;
-use glam::Vec3;
+use glam::{Mat3, Mat4, Vec3};
 use std::path::Path;
 
 /// What is found out about a file with the content `text`.
@@ -295,4 +295,43 @@ fn one_vertex_too_few_is_named_beside_what_the_others_are() {
     right.remove(700);
     let mesh = Mesh::new(right, Vec::new());
     assert!(diagnose(&figure.character, &figure.pose(), &mesh).is_err());
+}
+
+#[test]
+fn of_a_mesh_with_a_vertex_for_each_corner_no_triangle_is_missing_whatever_else_is_wrong() {
+    let figure = Figure::builtin("robot", turned(88));
+    let at_corners = |student: &Student| -> Vec<Vec3> {
+        let skinned = student.skin(&figure);
+        let corners = figure.triangles.as_flattened().iter();
+        corners.map(|&corner| skinned[corner as usize]).collect()
+    };
+    let right = at_corners(&RIGHT);
+    let found = figure.diagnose(&right);
+    assert_eq!(found.causes, ["vertices-renumbered"], "{found}");
+    for id in ["no-inverse-bind", "parent-rotation-order"] {
+        let student = match id {
+            "parent-rotation-order" => Student {
+                push: |parent, own| {
+                    let at = (parent * own).transform_point3(Vec3::ZERO);
+                    Mat4::from_translation(at) * without_place(own * parent)
+                },
+                ..RIGHT
+            },
+            id => with(&[id]),
+        };
+        let found = figure.diagnose(&at_corners(&student));
+        let mut told = found.together();
+        told.sort_unstable();
+        assert_eq!(told, [id, "vertices-renumbered"], "{found}");
+        assert_eq!((found.faces.missing, found.faces.other), (0, 0), "{found}");
+    }
+    // In another pose it is still one for each corner.
+    let other = Figure::builtin("robot", turned(89)).pose();
+    let found = figure.diagnose_in(&other, &right);
+    assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
+    assert_eq!((found.faces.missing, found.faces.other), (0, 0), "{found}");
+}
+
+fn without_place(transform: Mat4) -> Mat4 {
+    Mat4::from_mat3(Mat3::from_mat4(transform))
 }

@@ -53,7 +53,7 @@ fn a_mesh_that_is_right_ends_with_0() {
         // The pose turns one joint about one axis, which shows few mistakes.
         let told = "\
 right: this is the exact result, but for less than 0.001 % of the size
-  unseen   parent-missing, bind-parent-missing, parent-order, euler-xzy, euler-yxz, euler-yzx, euler-zxy, euler-zyx, \
+  unseen   parent-missing, bind-parent-missing, parent-order, euler-zyx, euler-xzy, euler-yxz, euler-yzx, euler-zxy, \
 influences-cut-4, influences-cut-4-renormalized, strongest-joint-only, vertices-renumbered, joints-by-depth, \
 one-axis-ignored-x, one-axis-ignored-y, sign-flipped-x, sign-flipped-y, sign-flipped-z, \
 root-rotated-before-translation, root-angles-missing, stack-not-popped, parents-misread, root-translation-missing, \

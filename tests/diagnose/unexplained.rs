@@ -8,7 +8,7 @@ use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, NearlyRight, Verdict, diagnose};
 use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
-use glam::Vec3;
+use glam::{Vec3, Vec3Swizzles};
 
 fn adult() -> Figure {
     Figure::builtin("adult", turned(21))
@@ -313,3 +313,73 @@ fn coordinates_that_are_no_numbers_are_off_by_more_than_anything() {
     );
     assert_eq!(found.first.unwrap().vertex, 100);
 }
+
+#[test]
+fn a_mistake_of_a_whole_program_that_gives_nearly_all_of_a_mesh_is_named_as_well() {
+    let figure = Figure::builtin("adult", turned(90));
+    let rest = figure.positions.iter();
+    let right = RIGHT.skin(&figure);
+    let begun_at_rest = rest.zip(&right).map(|(rest, at)| *rest + *at).collect();
+    let ignores_weights = Student {
+        weights: |weights| {
+            let share = 1.0 / weights.len() as f32;
+            weights.iter().map(|(joint, _)| (*joint, share)).collect()
+        },
+        ..RIGHT
+    };
+    let exchanges_angles = Student {
+        slider: |angles| angles.yxz(),
+        ..RIGHT
+    };
+    let meshes: [(&str, Vec<Vec3>); 3] = [
+        ("sum-begun-at-rest", begun_at_rest),
+        ("weights-ignored", ignores_weights.skin(&figure)),
+        ("angles-exchanged", exchanges_angles.skin(&figure)),
+    ];
+    for (id, mut theirs) in meshes {
+        let step = theirs.len() / 20;
+        for at in theirs.iter_mut().step_by(step) {
+            at.y += 0.01;
+        }
+        let found = figure.diagnose(&theirs);
+        assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+        let nearest = found.nearest.as_ref().expect("the nearest one");
+        assert_eq!(nearest.mistake.id, id, "{found}");
+        assert!(nearest.is_nearly_all(), "{found}");
+    }
+}
+
+#[test]
+fn with_two_digits_a_joint_that_is_left_out_is_named_without_what_makes_no_difference() {
+    let figure = Figure::builtin("adult", turned(91));
+    let joints = figure.parents.len();
+    let last = Student {
+        row: |row| {
+            let mut row = row.to_vec();
+            row.pop();
+            row
+        },
+        ..RIGHT
+    };
+    let elbow = Student {
+        row: |row| {
+            let mut row = row.to_vec();
+            row[ELBOW - 1] = 0.0;
+            row
+        },
+        ..RIGHT
+    };
+    let joint = &figure.character.skeleton().joints()[ELBOW];
+    assert!(
+        joint.name.contains("elbow") && ELBOW + 1 < joints,
+        "{}",
+        joint.name
+    );
+    for student in [last, elbow] {
+        let found = figure.diagnose(&written(&student.skin(&figure), 2));
+        assert_eq!(found.together(), ["joint-left-out"], "{found}");
+    }
+}
+
+/// Index of a joint of the adult that is not the last one.
+const ELBOW: usize = 14;

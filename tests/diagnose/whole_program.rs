@@ -823,6 +823,30 @@ fn weights_that_are_rounded_are_named() {
             },
             "to two digits after the point",
         ),
+        (
+            |row| {
+                row.iter()
+                    .map(|weight| (weight * 10.0).round_ties_even() / 10.0)
+                    .collect()
+            },
+            "to one digit after the point",
+        ),
+        (
+            |row| {
+                row.iter()
+                    .map(|weight| format!("{weight:.1}").parse().unwrap())
+                    .collect()
+            },
+            "to one digit after the point",
+        ),
+        (
+            |row| {
+                row.iter()
+                    .map(|weight| format!("{weight:.2}").parse().unwrap())
+                    .collect()
+            },
+            "to two digits after the point",
+        ),
     ] {
         assert_named(&of(&Student { row, ..RIGHT }, 82), "weights-rounded", how);
     }
