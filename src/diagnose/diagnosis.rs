@@ -48,8 +48,8 @@ pub struct Diagnosis {
     pub mistakes: Vec<ToldMistake>,
     /// Mistakes that give the same mesh here, each with those that are made beside it.
     pub same_as: Vec<Vec<&'static str>>,
-    /// Of a mesh that is right, mistakes that give it as well here, each by itself: the pose or the character does
-    /// not show them.
+    /// Of a mesh that is right, mistakes that give it as well here, each by itself and made in the usual way: the pose or
+    /// the character does not show them.
     pub unseen: Vec<&'static str>,
     /// Where it shows first; `None` if the mesh is right.
     pub first: Option<Shown>,

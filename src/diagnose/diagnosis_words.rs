@@ -165,7 +165,7 @@ impl fmt::Display for Diagnosis {
             let unseen = self.unseen.join(", ");
             write!(
                 f,
-                "\n  unseen   {unseen}: with these mistakes it would be the same here"
+                "\n  unseen   {unseen}: with these mistakes, made in the usual way, it would be the same here"
             )?;
         }
         Ok(())

@@ -215,11 +215,9 @@ async fn diagnose_vertices(
         if explanations.is_empty() {
             let mut found = findings.diagnosis(Verdict::Right);
             let of_whole = made_alone::as_well(&search, order, &exact, pace).await;
-            for id in same.iter().chain(&of_whole).flat_map(Explanation::ids) {
-                if !found.unseen.contains(&id) {
-                    found.unseen.push(id);
-                }
-            }
+            let made = same.iter().chain(&of_whole).flat_map(|it| &it.made);
+            let usual = made.filter(|made| search.is_usual(**made));
+            found.unseen = usual.map(|made| made.mistake.id).collect();
             return Ok(found);
         }
         findings.tolerance = closer;

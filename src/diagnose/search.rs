@@ -324,9 +324,22 @@ impl<'a> Search<'a> {
     }
 
     pub(super) fn skinner(&self, formula: &Formula) -> Option<Skinner<'a>> {
-        let fits = self.model.count(formula.vertex_order) == self.theirs.len()
-            && formula.is_of(self.model.character);
+        let fits = self.may_be_of(formula);
         fits.then(|| Skinner::new(self.model, self.pose, formula))
+    }
+
+    /// Whether a formula may give a mesh of so many vertices of the character.
+    fn may_be_of(&self, formula: &Formula) -> bool {
+        self.model.count(formula.vertex_order) == self.theirs.len()
+            && formula.is_of(self.model.character)
+    }
+
+    /// Whether a mistake is made in the way that is made most often, the first one that the character has.
+    pub(super) fn is_usual(&self, made: Made) -> bool {
+        let mistake = made.mistake;
+        let mut ways = mistake.readings.iter();
+        let usual = ways.find(|&reading| self.may_be_of(&formula(&[Made { mistake, reading }])));
+        usual.is_some_and(|usual| std::ptr::eq(usual, made.reading))
     }
 
     /// Whether `theirs` is farther from where a formula puts the vertex than meshes are that agree.
