@@ -7,7 +7,7 @@ use super::mistake::Mistake;
 use super::nearest::{NEARLY_ALL, Nearest};
 use super::other_pose::OtherPose;
 use super::precision::Coarse;
-use super::search::Made;
+use super::ways::Made;
 use crate::compare::MeshFinding;
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;

@@ -4,8 +4,9 @@
 use super::formula::{Columns, Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
 use super::mistake::Mistake;
-use super::search::{Explanation, Made, Search};
+use super::search::{Explanation, Search};
 use super::skin::{Placed, Skinner};
+use super::ways::Made;
 use super::{one_joint, whole_program};
 use crate::steps::Pace;
 use std::collections::BTreeSet;

@@ -43,6 +43,7 @@ mod triangles;
 mod turned_picture;
 mod vertex_count;
 mod vertex_formula;
+mod ways;
 mod weight_formula;
 mod whole_program;
 

@@ -2,9 +2,10 @@
 
 use super::formula::{Formula, VertexOrder};
 use super::model::Model;
-use super::search::{Explanation, Made, formula, pairs_of_ways, ways};
+use super::search::Explanation;
 use super::silhouette::{Samples, Silhouette};
 use super::skin::Skinner;
+use super::ways::{Made, formula, pairs_of_ways, ways};
 use crate::character::Pose;
 use crate::geometry::Picture;
 use glam::{DMat4, DVec3};

@@ -2,8 +2,9 @@
 
 use super::formula::Formula;
 use super::found_otherwise::MOVED_AS_A_WHOLE;
-use super::search::{Explanation, Made, Search, formula, ways, ways_of_whole_program};
+use super::search::{Explanation, Search};
 use super::skin::{Placed, Skinner};
+use super::ways::{Made, formula, ways, ways_of_whole_program};
 use crate::compare::{MeshFinding, placement};
 use crate::steps::Pace;
 use glam::DVec3;

@@ -2,7 +2,8 @@
 
 use super::found_otherwise::PICTURE_TURNED;
 use super::picture_search::PictureSearch;
-use super::search::{Explanation, Made, ways};
+use super::search::Explanation;
+use super::ways::{Made, ways};
 use crate::geometry::Picture;
 
 /// In words, and whether columns and rows are in reverse order.

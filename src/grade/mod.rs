@@ -3,6 +3,7 @@
 //! writes all of it as JSON, as a table for a gradebook, as text and as a page. Nothing here opens a
 //! file or runs a program, and everything is the same on each run.
 
+mod by_vertices;
 mod canvas;
 mod csv;
 mod found;

@@ -1,10 +1,9 @@
 //! Why results have the points that they have, in sentences for who made them.
 
+use super::by_vertices::{FAR_OFF, UNSEEN, by_vertices};
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use super::rubric::{
-    FAR_OFF, UNSEEN, by_vertices, counted, counts_as_mistakes, of_other_pose, share_left,
-};
+use super::rubric::{counted, counts_as_mistakes, of_other_pose, share_left};
 use crate::diagnose::{POSE_NOT_APPLIED, of_size};
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
