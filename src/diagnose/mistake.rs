@@ -27,6 +27,8 @@ pub struct Reading {
     pub how: &'static str,
     /// Makes the mistake.
     pub make: fn(&mut Formula),
+    /// Whether programs hardly make it so: what gives the same is told before it.
+    pub is_rare: bool,
 }
 
 pub(super) const SKELETON: &str = "3.2 Skeleton";
@@ -43,7 +45,19 @@ pub(super) const LOOK_AT_PLACE: &str = "what is done to vertices after skinning,
                                         units, axes, a matrix of the shape or of the camera that belongs only to drawing";
 
 pub(super) const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
-    Reading { how, make }
+    Reading {
+        how,
+        make,
+        is_rare: false,
+    }
+}
+
+/// A way to make a mistake that programs hardly have.
+pub(super) const fn rare_reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
+    Reading {
+        is_rare: true,
+        ..reading(how, make)
+    }
 }
 
 /// Name of the mistake that leaves the mesh in the bind pose.

@@ -85,6 +85,7 @@ use precision::Written;
 use search::{Alone, Explanation, Search};
 use std::rc::Rc;
 use vertex_count::Miscount;
+use ways::Made;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
 /// of a mesh of size 1, or computing in single precision, is off by.
@@ -280,6 +281,9 @@ async fn diagnose_vertices(
         }
         return Ok(found);
     }
+    // Stable: otherwise the order of the tables decides.
+    let is_rare = |made: &&Made| made.reading.is_rare;
+    explanations.sort_by_key(|it| it.made.iter().filter(is_rare).count());
     let without_w: Vec<_> = (explanations.iter())
         .filter_map(Explanation::without_w)
         .collect();

@@ -1,12 +1,15 @@
 //! Mistakes in the product of T and the inverse of B, which moves a vertex with a joint.
 
 use super::formula::{Chain, Divided, Factors, Shaped};
-use super::mistake::{Mistake, SSD, reading};
+use super::mistake::{Mistake, SSD, rare_reading, reading};
 
 /// A way to make a mistake: the parts of the formula that are other ones.
 macro_rules! way {
     ($how:expr, $($part:ident = $other:expr),+) => {
-        reading($how, |formula| {
+        way!(reading, $how, $($part = $other),+)
+    };
+    ($reading:ident, $how:expr, $($part:ident = $other:expr),+) => {
+        $reading($how, |formula| {
             $(formula.$part = $other;)+
         })
     };
@@ -131,25 +134,30 @@ pub(super) const MATRIX_TRANSPOSED: Mistake = Mistake {
             divided = Divided::Sum
         ),
         way!(
+            rare_reading,
             "of the skin's own matrix in a Collada file",
             shaped = Shaped::Transposed
         ),
         way!(
+            rare_reading,
             "of the skin's own matrix in a Collada file, after which the fourth coordinate is 1 again",
             shaped = Shaped::TransposedAsPoints
         ),
         way!(
+            rare_reading,
             "of the skin's own matrix, after which the fourth coordinate is 1 again, and of the inverse of B in a \
              Collada file",
             shaped = Shaped::TransposedAsPoints,
             factors = Factors::InverseBindOfFileTransposed
         ),
         way!(
+            rare_reading,
             "of the skin's own matrix and of the inverse of B in a Collada file",
             shaped = Shaped::Transposed,
             factors = Factors::InverseBindOfFileTransposed
         ),
         way!(
+            rare_reading,
             "of the skin's own matrix and of the inverse of B in a Collada file, and the sum is divided by its fourth \
              coordinate",
             shaped = Shaped::Transposed,

@@ -229,16 +229,14 @@ impl Test {
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
         let is_right = found.is_right();
         let measure = measure(&self.character, &self.exact, &theirs.positions);
-        // Of vertices that are numbered otherwise it is not known which is which.
-        let right = measure
-            .as_ref()
-            .map_or(0, |measure| theirs.positions.len() - measure.off);
-        let agrees = if is_right {
-            1.0
-        } else {
-            right as f64 / theirs.positions.len().max(1) as f64
+        let count = theirs.positions.len().max(1) as f64;
+        // Of one vertex more or less the others are known, and otherwise not which is which.
+        let agrees = match &measure {
+            _ if is_right => 1.0,
+            Some(measure) => (theirs.positions.len() - measure.off) as f64 / count,
+            None => found.agrees,
         };
-        let near = measure.as_ref().map(nearness);
+        let near = measure.as_ref().map_or(found.agrees, nearness);
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         let mut causes = explanations(found.together(), &found.same_as);
         if self.pose.is_bind() {
@@ -265,7 +263,7 @@ impl Test {
                 .unwrap_or(0.0),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
-            near: near.and_then(rounded).unwrap_or(0.0),
+            near: rounded(near).unwrap_or(0.0),
             shows: None,
             of_tests: Vec::new(),
             picture: if is_right { None } else { drawn() },

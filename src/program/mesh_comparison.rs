@@ -307,6 +307,6 @@ fn words(name: &str, measure: Option<&MeshMeasure>) -> Legend {
         title: format!("Distance of {name} from the exact mesh"),
         ends: Some(ends).filter(|_| measure.off > 0),
         gray: Some(format!("agrees: up to {}", by_size(measure.tolerance))),
-        note: None,
+        note: Some(format!("In Both, {name} lies over it like orange glass")),
     }
 }

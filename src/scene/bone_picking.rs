@@ -9,6 +9,11 @@ use glam::{Vec2, Vec3};
 /// Half the width, in pixels, in which the line of a bone is under the pointer.
 const LINE: f32 = 3.0;
 
+/// Distance from a joint, in pixels, within which the pointer is on its ball …
+const BALL: f32 = 6.0;
+/// … and relative to the length of the bone that ends there, which is picked beyond it.
+const MOST_OF_BONE: f32 = 0.25;
+
 /// Most triangles of a mesh whose surface decides between bones: a larger one would hold the pointer up after each
 /// change of the pose.
 const LARGEST: usize = 200_000;
@@ -119,6 +124,38 @@ pub fn pick_bone(
     Some(hit.map_or(first, |(hit, _)| *hit))
 }
 
+/// The bone that was picked as `hit`, or else the one that the joint at its end turns, if the ball of that is under
+/// `pixel`, in a picture of `size`.
+pub fn turned_there(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    camera: &Camera,
+    hit: BoneHit,
+    (pixel, size): (Vec2, Vec2),
+) -> BoneHit {
+    let bones = || {
+        let shape = evaluated.shape(hit.shape).into_iter();
+        shape.flat_map(|shape| bones_in_world(scene, shape))
+    };
+    let Some((_, start, end)) = bones().nth(hit.bone) else {
+        return hit;
+    };
+    if !is_at_end([start, end].map(|at| camera.pixel(at, size)), pixel) {
+        return hit;
+    }
+    let near = start.distance(end) * 1e-3;
+    let mut others = bones().enumerate();
+    let beyond = others.find(|(_, (_, other, _))| other.distance(end) <= near);
+    beyond.map_or(hit, |(bone, (joint, ..))| BoneHit { joint, bone, ..hit })
+}
+
+/// Whether the end of a bone between two places in a picture has its ball at `pixel`.
+fn is_at_end([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
+    start.zip(end).is_some_and(|(start, end)| {
+        pixel.distance(end) <= BALL.min(start.distance(end) * MOST_OF_BONE)
+    })
+}
+
 /// Whether the line between two places in a picture, if both are seen, is drawn at `pixel`.
 fn is_on_line([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
     let (Some(start), Some(end)) = (start, end) else {
@@ -224,6 +261,49 @@ mod tests {
         ] {
             let found = picked(vec![(figure(0.0, in_front, mode), Vec3::ZERO)]);
             assert_eq!(found, Some((0, joint)), "{in_front} {mode:?}");
+        }
+    }
+
+    #[test]
+    fn on_the_ball_between_two_bones_the_one_is_picked_that_the_joint_there_turns() {
+        let upward = |parent, offset| Joint {
+            parent,
+            offset,
+            tip: Some(Vec3::Y * 0.5),
+            ..Joint::default()
+        };
+        let joints = vec![upward(None, Vec3::ZERO), upward(Some(0), Vec3::Y * 0.5)];
+        let skeleton = SkeletalModel::new(joints).unwrap();
+        let mut attachments = Attachments::new();
+        let of_first = Influence {
+            joint: 0,
+            weight: 1.0,
+        };
+        let corners = [Vec3::ZERO, Vec3::X * 0.1, Vec3::Y];
+        corners
+            .iter()
+            .for_each(|_| attachments.push_vertex([of_first]));
+        let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]);
+        let character = Arc::new(Character::new(skeleton, attachments, mesh).unwrap());
+        let size = Vec2::new(800.0, 600.0);
+        let camera = Camera {
+            target: Vec3::new(0.0, 0.5, 0.0),
+            radius: 3.0,
+            ..Camera::default()
+        };
+        for mode in [ModelDisplay::Skeleton, ModelDisplay::Both] {
+            let mut shape = CharacterShape::new(character.clone());
+            shape.display.mode = mode;
+            let mut scene = Scene::new();
+            scene.add(NewShape::new("Arm", ShapeKind::Character(shape)));
+            let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+            // The joint between them is in the middle of the picture, and the first bone below.
+            for (below, joint) in [(-20.0, 1), (-3.0, 1), (0.0, 1), (4.0, 1), (20.0, 0)] {
+                let pixel = size / 2.0 + Vec2::new(1.0, below);
+                let hit = pick_bone(&scene, &evaluated, &camera, pixel, size, 4.0).unwrap();
+                let hit = turned_there(&scene, &evaluated, &camera, hit, (pixel, size));
+                assert_eq!(hit.joint, joint, "{mode:?} {below}");
+            }
         }
     }
 

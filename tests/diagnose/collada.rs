@@ -49,6 +49,11 @@ fn arm() -> Character {
 
 /// The same whose skin has its joints in this order.
 fn arm_with_list(list: [usize; 2]) -> Character {
+    arm_of(list, bind_shape())
+}
+
+/// The same whose skin places its mesh by `bind_shape`.
+fn arm_of(list: [usize; 2], bind_shape: Mat4) -> Character {
     let numbers: Vec<String> = positions()
         .iter()
         .flat_map(|at| at.to_array().map(|number| number.to_string()))
@@ -63,7 +68,7 @@ fn arm_with_list(list: [usize; 2]) -> Character {
         _ => format!("{a} 0 {b} 2"),
     });
     let skin = Skin {
-        bind_shape: &rows(bind_shape()),
+        bind_shape: &rows(bind_shape),
         joints: &list.map(|joint| ["a", "b"][joint]).join(" "),
         inverse_binds: &inverse_binds,
         weights: "0 0.25 1 0.75",
@@ -309,6 +314,16 @@ fn angles_about_a_bones_own_axes_are_named_beside_another_mistake() {
     let mut told = found.together();
     told.sort_unstable();
     assert_eq!(told, ["angles-about-bones", "matrix-transposed"], "{found}");
+}
+
+#[test]
+fn a_skins_own_matrix_that_only_moves_is_missing_and_not_transposed_where_it_does_nothing() {
+    let shape = Mat4::from_translation(Vec3::new(0.1, -1.0, 0.25));
+    let (posed, rest) = (in_pose(), at_rest());
+    let theirs = theirs(|joint| posed[joint] * rest[joint].inverse());
+    let found = diagnose(&arm_of([0, 1], shape), &pose(), &theirs).unwrap();
+    assert_eq!(found.together(), ["bind-shape-missing"], "{found}");
+    assert!(found.causes.contains(&"matrix-transposed"), "{found}");
 }
 
 #[test]

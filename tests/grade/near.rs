@@ -73,3 +73,21 @@ fn a_mesh_whose_vertices_are_all_off_has_the_more_points_the_nearer_they_are() {
         "so near is it to the exact result: no vertex is farther off than 0.300 % of the size";
     assert!(dan.ends_with(near), "{dan}");
 }
+
+#[test]
+fn of_a_mesh_with_one_vertex_more_it_is_known_how_much_of_it_is_right() {
+    let class = Class::new(&["robot"]);
+    let (test, figure) = &class.tests[0];
+    let right = obj(&with(&[]).skin(figure), figure, |number| number.to_string());
+    let lines: Vec<&str> = right.lines().collect();
+    let vertices = figure.positions.len();
+    let repeated = [&lines[..vertices], &lines[vertices - 1..]].concat();
+    class.write(&format!("class/ann/{test}.obj"), repeated.join("\n"));
+    let report = class.graded();
+    let found = result(&report, "ann", test);
+    assert_eq!(found["causes"], json!([["vertex-too-many"]]), "{found}");
+    assert_eq!(
+        (&found["agrees"], &found["near"]),
+        (&json!(1.0), &json!(1.0))
+    );
+}

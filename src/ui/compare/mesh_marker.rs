@@ -9,6 +9,9 @@ use egui::{Color32, Stroke, Ui, vec2};
 /// Radius of the ring round our place of the vertex, in points, and of the dot at theirs.
 const RING: f32 = 9.0;
 const DOT: f32 = 4.0;
+/// How far below a place the words below it end, in points, and from where on two places have room for words between them.
+const BELOW: f32 = 26.0;
+const CLOSE: f32 = 24.0;
 
 /// Marks `vertex` where ours has it and where theirs does, with a line from one to the other, with the name
 /// of their file, and with its number unless it `is_explained`: the words of its formula are in that place
@@ -44,12 +47,17 @@ pub(in crate::ui) fn show(
             }
             painter.circle_filled(theirs, DOT + wider / 2.0, color);
         }
+        // Words stand on sides that are away from each other. Those of the formula are above our place.
+        let is_above = theirs.y < ours.y - if is_explained { CLOSE } else { 0.0 };
+        let (own, beside) = if is_above {
+            (RING + BELOW, -6.0)
+        } else {
+            (-RING - 6.0, BELOW)
+        };
         if !is_explained {
-            let corner = ours + vec2(RING + 6.0, -RING - 6.0);
+            let corner = ours + vec2(RING + 6.0, own);
             word_over_scene(&painter, corner, &format!("vertex {vertex}"));
         }
-        // On the side away from ours, where the words of that are not.
-        let beside = if theirs.y < ours.y { -6.0 } else { 22.0 };
         word_over_scene(&painter, theirs + vec2(10.0, beside), compare.name);
     }
 }

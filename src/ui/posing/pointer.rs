@@ -5,7 +5,7 @@ use super::shown_gizmo::{begin_by_key, shown_gizmo};
 use super::{PoseState, ik, shows_skeleton, takes_bones_of};
 use crate::editor::{BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, Session, Tool, View, root_of};
 use crate::math::Ray;
-use crate::scene::{BoneHit, ShapeId, pick_bone};
+use crate::scene::{BoneHit, ShapeId, pick_bone, turned_there};
 use crate::ui::grab::{Grab, PointerUse};
 use crate::ui::pointing::Pointing;
 use crate::ui::scene_places::{Place, ScenePlaces};
@@ -223,6 +223,14 @@ pub(super) fn bone_at(
     };
     let by_finger = || by_finger.then(|| at(FINGER_REACH)).flatten();
     let hit = at(POINTER_REACH).or_else(by_finger)?;
+    let hit = match tool {
+        // It leads the end of a bone, and the ball belongs to that.
+        Tool::Ik => hit,
+        _ => {
+            let (scene, evaluated) = (session.scene(), session.evaluated());
+            turned_there(scene, evaluated, camera, hit, (pixel, place.size()))
+        }
+    };
     let is_taken = takes_bones_of(session, tool, hit.shape) || shows_skeleton(session, hit.shape);
     is_taken.then_some(hit)
 }
