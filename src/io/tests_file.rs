@@ -359,7 +359,7 @@ mod tests {
             ),
             (
                 r#"{"tests": [], "rubric": {"mistakes": {"euler-zxx": 1}}}"#.to_owned(),
-                "t.json:1:39: expected the name of a mistake such as euler-zxy, found “euler-zxx”",
+                "t.json:1:39: expected the name of a mistake such as euler-zyx, found “euler-zxx”",
             ),
             (
                 test(r#", "kind": "film""#),
