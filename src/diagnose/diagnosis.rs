@@ -127,12 +127,13 @@ impl ToldMistake {
         }
     }
 
-    /// A mistake that is made in the way `how`.
-    pub(super) fn made(mistake: &Mistake, how: String) -> Self {
-        Self {
+    /// Mistakes, each made in the way that stands with it.
+    pub(super) fn all_made(mistakes: Vec<(&'static Mistake, String)>) -> Vec<Self> {
+        let told = mistakes.into_iter().map(|(mistake, how)| Self {
             how: how.into(),
             ..Self::whole(mistake)
-        }
+        });
+        told.collect()
     }
 
     /// A mistake that is made in one way.
@@ -229,10 +230,7 @@ impl Diagnosis {
     /// The same, where mistakes, each made in the way that stands with it, together give the mesh but for `error`, by the
     /// size.
     pub fn explained_by(self, mistakes: Vec<(&'static Mistake, String)>, error: f64) -> Self {
-        let told = mistakes
-            .into_iter()
-            .map(|(mistake, how)| ToldMistake::made(mistake, how));
-        let mistakes: Vec<ToldMistake> = told.collect();
+        let mistakes = ToldMistake::all_made(mistakes);
         Self {
             verdict: Verdict::Explained,
             causes: mistakes.iter().map(|mistake| mistake.id).collect(),

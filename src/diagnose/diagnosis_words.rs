@@ -314,10 +314,7 @@ impl fmt::Display for Together {
 
 /// Mistakes that are made together, each in the way that stands with it, in words, with where to look for them.
 pub fn in_words(mistakes: Vec<(&'static Mistake, String)>) -> String {
-    let told = mistakes
-        .into_iter()
-        .map(|(mistake, how)| ToldMistake::made(mistake, how));
-    Together(told.collect()).to_string()
+    Together(ToldMistake::all_made(mistakes)).to_string()
 }
 
 /// Mistakes that are made together, in words.

@@ -44,20 +44,21 @@ const HARDLY_ANY: f64 = 0.05;
 const FEWEST: usize = 40;
 
 impl FaceDifference {
-    /// The difference of `theirs`, about whose vertices so much is `found`, from a model. They may be those of another
-    /// order, as one for each corner, and then not `in_order`.
+    /// The difference of `theirs`, about whose vertices so much is `found`, from a model. Where these are
+    /// not so many as the model's, as one for each corner, it is not known which is which.
     pub(super) async fn find(
         model: &Model<'_>,
         found: &Diagnosis,
-        in_order: bool,
         theirs: &Mesh,
         pace: &Pace,
     ) -> Self {
+        let are_as_many = theirs.positions.len() == model.positions.len();
         let knows_which_is_which = match found.verdict {
-            Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
+            Verdict::Right | Verdict::Triangles => true,
             Verdict::Explained => !found.causes.contains(&RENUMBERED),
-            Verdict::Unexplained => found.nearly_right().is_some(),
-        } && in_order;
+            Verdict::OtherPose => are_as_many,
+            Verdict::Unexplained => are_as_many && found.nearly_right().is_some(),
+        };
         let (model, theirs) = (model.triangles(), &theirs.triangles);
         if knows_which_is_which {
             Self::of_same_vertices(model, theirs, pace).await

@@ -53,7 +53,7 @@ pub use faces::FaceDifference;
 pub use formula::{
     About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, Halves,
     JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations,
-    Rounded, Rows, Shaped, VertexOrder, WeightFormula,
+    Rounded, RoundedAngles, Rows, Shaped, VertexOrder, WeightFormula,
 };
 pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, POSE_LATE, SUM_NOT_RESET};
 pub use job::MeshJob;
@@ -153,9 +153,7 @@ async fn diagnose_by(
     let found = diagnose_vertices(&model, pose, vertices, &pace).await;
     let error = match found {
         Ok(mut found) => {
-            let order = order_of(&model, vertices.len()).unwrap_or(VertexOrder::File);
-            let is_in_order = order == VertexOrder::File;
-            found.judge(FaceDifference::find(&model, &found, is_in_order, theirs, &pace).await);
+            found.judge(FaceDifference::find(&model, &found, theirs, &pace).await);
             return Ok(found);
         }
         Err(error) => error,
@@ -166,7 +164,7 @@ async fn diagnose_by(
         let model = lacking.as_ref().unwrap_or(&model);
         let mut others = diagnose_vertices(model, pose, miscount.without(vertices), &pace).await?;
         if !miscount.renumbers() {
-            others.judge(FaceDifference::find(model, &others, true, theirs, &pace).await);
+            others.judge(FaceDifference::find(model, &others, theirs, &pace).await);
         }
         if let Some(found) = miscount.added_to(others) {
             return Ok(found);
@@ -322,8 +320,8 @@ async fn sought(
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
-        let alone = made_alone::find(search, fits, order, exact, size, pace).await;
-        explanations.extend(alone.into_iter().map(|it| it.of_order(order)));
+        let found = made_alone::find(search, fits, order, exact, size, pace).await;
+        explanations.extend(found.into_iter().map(|it| it.of_order(order)));
     } else if order == VertexOrder::File {
         let as_well = made_alone::as_well(search, order, exact, pace).await;
         // What is used twice is told only where nothing simpler gives the same.

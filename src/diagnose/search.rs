@@ -190,10 +190,7 @@ impl<'a> Search<'a> {
         };
         let all: Vec<(Made, Made, Formula)> =
             pairs_of_ways().chain(pairs_with_whole_program()).collect();
-        let mut found = self.left_over(pace).await;
-        if !found.is_empty() {
-            return found;
-        }
+        let mut found = Vec::new();
         for (done, (first, second, both)) in all.iter().enumerate() {
             pace.tell(done as f32 / all.len() as f32);
             let Some(mut skinner) = self.skinner(both) else {
@@ -220,19 +217,6 @@ impl<'a> Search<'a> {
                 };
                 both.error <= rounding || beside_scaled.is_none_or(is_much_nearer)
             }));
-        }
-        found
-    }
-
-    /// Mistakes that alone explain the mesh, of those that are sought otherwise where they are alone: beside another one
-    /// that makes no difference they would explain it as well.
-    async fn left_over(&self, pace: &Pace) -> Vec<Explanation> {
-        let mut found = Vec::new();
-        let by_numbers = |made: &Made| std::ptr::eq(made.mistake, &raw const ANGLES_SCALED);
-        for made in ways_of_whole_program().filter(|made| !by_numbers(made)) {
-            if let Some(mut skinner) = self.skinner(&formula(&[made])) {
-                found.extend(self.explained_by(&mut skinner, vec![made], pace).await);
-            }
         }
         found
     }

@@ -12,9 +12,9 @@ pub(super) const FAR_OFF: f64 = 10.0;
 /// What vertices count for from which on they are nearly all right.
 const NEARLY_ALL: Range<f64> = 0.9..0.99;
 
-/// The share of its points that what is unexplained gives by how near its vertices are alone. A mesh with nearly all vertices right, or
-/// with none far off, has the more the nearer it is to one that is right but for few, or but for little: no vertex more
-/// or less makes much of a difference.
+/// The share of its points that what is unexplained gives by how near its vertices are alone. A mesh with nearly all
+/// vertices right, or with none far off, has the more the nearer it is to one that is right but for few, or but for little:
+/// no vertex more or less makes much of a difference.
 pub(super) fn by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> f64 {
     let unexplained = rubric.unexplained.0;
     let share = unexplained * graded.near;

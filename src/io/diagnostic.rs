@@ -47,6 +47,13 @@ impl Diagnostic {
         }
     }
 
+    /// The same with what follows from it.
+    pub(super) fn followed_by(mut self, what: &str) -> Self {
+        self.message += ": ";
+        self.message += what;
+        self
+    }
+
     /// About one place in the file.
     pub fn at(path: &Path, line: usize, column: usize, message: impl Into<String>) -> Self {
         Self {

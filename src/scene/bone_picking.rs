@@ -125,7 +125,7 @@ pub fn pick_bone(
 }
 
 /// The bone that was picked as `hit`, or else the one that the joint at its end turns, if the ball of that is under
-/// `pixel`, in a picture of `size`.
+/// `pixel`, in a picture of `size`; where the ray met the bone stays.
 pub fn turned_there(
     scene: &Scene,
     evaluated: &Evaluated,

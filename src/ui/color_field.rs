@@ -40,8 +40,6 @@ pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeCo
                         } else {
                             ShapeColor::Preset(index)
                         });
-                        // A key has not closed it.
-                        ui.close();
                     }
                 }
             });
@@ -66,11 +64,10 @@ fn preset(ui: &mut Ui, index: usize, color: ShapeColor) -> bool {
         };
         paint_swatch(ui, rect, shown);
     }
-    menu_keys::choice(&line.response, selected);
     if line.response.gained_focus() {
         line.response.scroll_to_me(None);
     }
-    line.response.clicked()
+    menu_keys::is_chosen(ui, &line.response, selected)
 }
 
 fn paint_swatch(ui: &Ui, rect: Rect, rgb: Vec3) {

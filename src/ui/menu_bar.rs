@@ -195,7 +195,7 @@ impl Items<'_> {
                     .wrap_mode(egui::TextWrapMode::Extend);
                 let item = ui.add(item);
                 tip_beside(&item, &path.to_string_lossy(), None);
-                if is_chosen(ui, &item) {
+                if menu_keys::is_chosen(ui, &item, false) {
                     self.actions
                         .push(Action::Ask(Ask::OpenRecent(path.clone())));
                 }
@@ -252,7 +252,7 @@ impl Items<'_> {
                     "Add it at the origin, or beside the characters that are there",
                     None,
                 );
-                if is_chosen(ui, &item) {
+                if menu_keys::is_chosen(ui, &item, false) {
                     self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
                 }
             }
@@ -319,7 +319,7 @@ impl Items<'_> {
         submenu(ui, "Built-in Pose", |ui| {
             for (name, pose) in poses {
                 let item = ui.button(name_of_import(pose));
-                if is_chosen(ui, &item) {
+                if menu_keys::is_chosen(ui, &item, false) {
                     self.actions
                         .push(Action::Ask(Ask::UseBuiltinPose(shape, name)));
                 }
@@ -374,7 +374,7 @@ impl Items<'_> {
                 .accesskit_node_builder(item.id, |node| node.set_toggled(toggled));
         }
         tip_beside(&item, full_tooltip(entry, self.session, self.state), why);
-        if is_chosen(ui, &item) {
+        if menu_keys::is_chosen(ui, &item, false) {
             self.run(entry.command);
         }
         item
@@ -384,17 +384,6 @@ impl Items<'_> {
         let action = run(command, self.session, self.state, self.aspect);
         self.actions.extend(action);
     }
-}
-
-/// Whether an item is chosen, of which arrow keys take note, and which closes its menu: by itself it closes for the
-/// pointer alone, not for Return.
-fn is_chosen(ui: &Ui, item: &Response) -> bool {
-    menu_keys::item(item);
-    let is_chosen = item.clicked();
-    if is_chosen {
-        ui.close();
-    }
-    is_chosen
 }
 
 /// The items of a menu, which scroll if the window is too low for them.

@@ -184,14 +184,15 @@ pub(super) fn level(ui: &mut Ui, opener: Option<Id>, items: impl FnOnce(&mut Ui)
     }
 }
 
-/// Takes note of an item of the menu that is being filled.
-pub(super) fn item(response: &Response) {
-    note(response, false, false);
-}
-
-/// The same of an item of a list that is the chosen one, if it `is_current`: keys go on from that.
-pub(super) fn choice(response: &Response, is_current: bool) {
-    note(response, false, is_current);
+/// Whether an item of the menu or list that is being filled is chosen, of which arrow keys take note, and which closes its
+/// menu: by itself it closes for the pointer alone, not for Return. Keys go on from the item of a list that `is_current`.
+pub(super) fn is_chosen(ui: &Ui, item: &Response, is_current: bool) -> bool {
+    note(item, false, is_current);
+    let is_chosen = item.clicked();
+    if is_chosen {
+        ui.close();
+    }
+    is_chosen
 }
 
 fn note(response: &Response, opens: bool, is_current: bool) {

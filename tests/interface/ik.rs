@@ -3,7 +3,7 @@
 use crate::interface::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::math::{Euler, Transform};
-use editor_core::scene::{CharacterShape, NewShape, ShapeId, ShapeKind};
+use editor_core::scene::{CharacterShape, IkPole, NewShape, ShapeId, ShapeKind};
 use egui::{Key, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::kittest::NodeT;
 use glam::Vec3;
@@ -191,6 +191,20 @@ fn looking_back() -> Editor {
     editor.harness.state_mut().gestures = true;
     editor.key(Key::I);
     editor
+}
+
+#[test]
+fn in_the_list_of_bend_directions_keys_move_from_the_one_there_is_and_choose() {
+    let mut editor = Editor::with_ik();
+    let pose = editor.character().pose().clone();
+    editor.click("Bend direction");
+    for _ in 0..2 {
+        editor.key(Key::ArrowDown);
+    }
+    editor.key(Key::Enter);
+    assert_eq!(editor.character().ik.pole, IkPole::ALL[2]);
+    assert!(!egui::Popup::is_any_open(&editor.harness.ctx));
+    assert_eq!(editor.character().pose(), &pose);
 }
 
 #[test]

@@ -61,10 +61,8 @@ impl Geometries {
         if let Some(known) = self.read.get(&node.id()) {
             return known.clone();
         }
-        let read = meshes::read_geometry(dae, &mut self.sources, node).map_err(|mut error| {
-            error.message += ": the mesh is left out";
-            error
-        });
+        let read = meshes::read_geometry(dae, &mut self.sources, node);
+        let read = read.map_err(|error| error.followed_by("the mesh is left out"));
         let geometry = dae.or_warn(Impact::Shape, read).map(Rc::new);
         self.read.insert(node.id(), geometry.clone());
         geometry
@@ -123,10 +121,7 @@ pub(super) fn read<'a>(
         read.joints.len(),
         positions,
     );
-    let rows = rows.map_err(|mut error| {
-        error.message += ": the weights are left out";
-        error
-    });
+    let rows = rows.map_err(|error| error.followed_by("the weights are left out"));
     read.weights = dae.or_warn(Impact::Shape, rows).unwrap_or_default();
     Ok(Some(Controller::Skin(Rc::new(read))))
 }

@@ -114,7 +114,9 @@ pub(super) fn pasted_onto(command: Command, session: &Session, state: &UiState) 
     let joints = joints_alone(session, state).filter(|_| is_pasted)?;
     let (_, character) = selected_character(session)?;
     let are_all = joints.len() == character.character.skeleton().joints().len();
-    (!are_all).then_some(())?;
+    if are_all {
+        return None;
+    }
     Some(Action::Ask(Ask::PastePoseOnto {
         shape: posed_character(session, state)?,
         joints: joints.to_vec(),

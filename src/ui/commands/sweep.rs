@@ -31,7 +31,9 @@ pub(super) fn revolution(session: &Session) -> Result<Action, &'static str> {
         CurveItemKind::Revolution { profile: of, .. } => of == profile,
         _ => false,
     });
-    (!is_there).then_some(()).ok_or(IS_THERE)?;
+    if is_there {
+        return Err(IS_THERE);
+    }
     Ok(Action::Edit(Edit::MakeSurfaceOfRevolution {
         shape,
         profile,

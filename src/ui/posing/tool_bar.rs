@@ -254,11 +254,9 @@ fn pole(ui: &mut Ui, facing: Facing, pole: &mut IkPole) {
             menu_keys::level(ui, None, |ui| {
                 for choice in IkPole::ALL {
                     let is_current = *pole == choice;
-                    let item = ui.selectable_value(pole, choice, choice.label(facing));
-                    menu_keys::choice(&item, is_current);
-                    if item.clicked() {
-                        // A key has not closed it.
-                        ui.close();
+                    let item = ui.selectable_label(is_current, choice.label(facing));
+                    if menu_keys::is_chosen(ui, &item, is_current) {
+                        *pole = choice;
                     }
                 }
             });
