@@ -48,6 +48,11 @@ pub struct Diagnosis {
     pub mistakes: Vec<ToldMistake>,
     /// Mistakes that give the same mesh here, each with those that are made beside it.
     pub same_as: Vec<Vec<&'static str>>,
+    /// In words the mistakes that are in [`Self::same_as`] alone, each once, as they are made there.
+    #[serde(skip)]
+    pub others: Vec<ToldMistake>,
+    /// Mistakes that by themselves would move no vertex by more than 0.1 %.
+    pub slight: Vec<&'static str>,
     /// Of a mesh that is right, mistakes that give it as well here, each by itself and made in the usual way: the pose or
     /// the character does not show them.
     pub unseen: Vec<&'static str>,

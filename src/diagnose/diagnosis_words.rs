@@ -208,9 +208,9 @@ impl Diagnosis {
         if !self.same_as.is_empty() {
             let all: Vec<String> = self.same_as.iter().map(|ids| together(ids)).collect();
             write!(f, "\n  indistinguishable here: {}", all.join(", "))?;
-            if let [ids] = &*self.same_as {
-                for other in ids.iter().filter_map(|id| Mistake::find(id)) {
-                    write!(f, "\n           {}", other.told_for(self.told_for))?;
+            if self.same_as.len() == 1 {
+                for other in &self.others {
+                    write!(f, "\n           {other}")?;
                 }
             }
         }

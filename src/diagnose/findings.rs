@@ -1,7 +1,7 @@
 //! What is found out about a mesh, held against the exact one.
 
 use super::as_good;
-use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, Verdict, all_causes};
+use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict, all_causes};
 use super::faces::FaceDifference;
 use super::formula::VertexOrder;
 use super::mannequin_words::ToldFor;
@@ -10,11 +10,13 @@ use super::model::Model;
 use super::placed::Limits;
 use super::regions::regions;
 use super::search::Explanation;
-use super::skin::Placed;
-use super::ways::Made;
+use super::skin::{Placed, Skinner};
+use super::ways::{Made, formula};
+use crate::character::Pose;
 use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};
 use crate::geometry::Mesh;
 use glam::{DVec3, Vec3};
+use std::collections::BTreeSet;
 
 /// Part of the largest error from which on much is off.
 const MUCH: f64 = 0.25;
@@ -56,6 +58,8 @@ impl Findings<'_> {
             tolerance: self.tolerance / self.size,
             mistakes: Vec::new(),
             same_as: Vec::new(),
+            others: Vec::new(),
+            slight: Vec::new(),
             unseen: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
             faces: FaceDifference::default(),
@@ -91,10 +95,53 @@ impl Findings<'_> {
             let is_same = |known: &[&str]| ids.iter().all(|id| known.contains(id));
             if !is_same(&together) && !found.same_as.iter().any(|known| is_same(known)) {
                 found.same_as.push(ids);
+                let known = |told: &ToldMistake| {
+                    let mut known = found.mistakes.iter().chain(&found.others);
+                    known.any(|known| known.id == told.id)
+                };
+                let new: Vec<_> = other
+                    .told()
+                    .into_iter()
+                    .filter(|told| !known(told))
+                    .collect();
+                found.others.extend(new);
             }
         }
         found.causes = all_causes(&found.mistakes, &found.same_as);
         found
+    }
+
+    /// Mistakes each of which by itself, as it is made in every explanation that has it beside others, moves no vertex by more
+    /// than `limit`.
+    pub(super) fn slight(
+        &self,
+        explanations: &[Explanation],
+        pose: &Pose,
+        limit: f64,
+    ) -> Vec<&'static str> {
+        let mut slight = BTreeSet::new();
+        let mut others = BTreeSet::new();
+        for made in explanations.iter().flat_map(|it| &it.made) {
+            let known = match self.moves_within(*made, pose, limit) {
+                true => &mut slight,
+                false => &mut others,
+            };
+            known.insert(made.mistake.id);
+        }
+        slight.difference(&others).copied().collect()
+    }
+
+    /// Whether a mistake by itself leaves every vertex within `limit` of the exact one, as far as that is known without the
+    /// mesh.
+    fn moves_within(&self, made: Made, pose: &Pose, limit: f64) -> bool {
+        let mut formula = formula(&[made]);
+        if made.is_by_numbers() || formula.vertex_order != VertexOrder::File {
+            return false;
+        }
+        formula.vertex_order = self.order;
+        let mut skinner = Skinner::new(self.model, pose, &formula);
+        let mut all = self.exact.iter().enumerate();
+        all.all(|(index, exact)| skinner.place(index).distance(exact.at) <= limit)
     }
 
     /// Whether the vertices are the exact ones in an order that no importer is known to leave.

@@ -22,8 +22,8 @@ const OWN_FRAMES: &str = "the vertex shader: each bone moves the vertex from its
 const TRANSPOSED: &str = "wherever a matrix is filled: Collada writes rows one after the other, WebGL takes columns; and \
                           the vertex is a column on the right of the matrix";
 /// Where bones are placed.
-const BONES: &str = "where a bone's transform is made, from the roots down: the parent's, which stands on the left, · its \
-                     own, which has its offset and its rotation";
+const BONES: &str = "where a bone's transform is made, from the roots down: it is parent · own, with the parent's on the left, \
+                     and the bone's offset and rotation in its own";
 /// Where a bone is turned.
 const ROTATIONS: &str = "where a bone's rotation is made, and what it is made of: the axes, their order, the signs and the \
                          units of angles, and what was there before";
@@ -175,6 +175,7 @@ impl Diagnosis {
         Self {
             told_for: program,
             mistakes: told_for(self.mistakes, program),
+            others: told_for(self.others, program),
             nearest: self.nearest.map(|nearest| Nearest {
                 mistake: nearest.mistake.told_for(program),
                 ..nearest

@@ -299,6 +299,7 @@ async fn diagnose_vertices(
     }
     Ok(Diagnosis {
         coarse,
+        slight: findings.slight(&explanations, pose, MOST_TOLERANCE * size),
         ..findings.explained(&explanations)
     })
 }

@@ -211,10 +211,8 @@ impl<'a> Search<'a> {
                 _ => None,
             };
             found.extend(explained.filter(|both| {
-                let is_much_nearer = |other: Made| {
-                    let alone = self.error_of(other).unwrap_or(f64::INFINITY);
-                    both.error <= alone / MUCH_NEARER
-                };
+                let is_much_nearer =
+                    |other: Made| both.error <= self.error_of(&[other]) / MUCH_NEARER;
                 both.error <= rounding || beside_scaled.is_none_or(is_much_nearer)
             }));
         }
@@ -234,11 +232,13 @@ impl<'a> Search<'a> {
         alone
     }
 
-    /// How far the mesh is from the one with a mistake alone, at most.
-    fn error_of(&self, made: Made) -> Option<f64> {
-        let mut skinner = self.skinner(&formula(&[made]))?;
+    /// How far the mesh is from the one with these mistakes alone, at most; infinite if they cannot give it.
+    fn error_of(&self, made: &[Made]) -> f64 {
+        let Some(mut skinner) = self.skinner(&formula(made)) else {
+            return f64::INFINITY;
+        };
         let all = (0..self.theirs.len()).map(|index| self.distance(&mut skinner, index));
-        Some(all.fold(0.0, f64::max))
+        all.fold(0.0, f64::max)
     }
 
     /// The vertices of the sample after those that are the farthest apart, of which a small mesh has fewer.

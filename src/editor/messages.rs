@@ -34,7 +34,7 @@ pub struct Messages {
 const KEPT: usize = 500;
 
 impl Messages {
-    /// Appends a message.
+    /// Appends a message. Of the fresh ones that say the same only the newest stays.
     pub fn tell(&mut self, severity: Severity, text: impl Into<String>) {
         let message = Message {
             severity,
@@ -42,6 +42,8 @@ impl Messages {
             number: self.count,
         };
         self.count += 1;
+        self.fresh
+            .retain(|fresh| (fresh.severity, &fresh.text) != (message.severity, &message.text));
         for list in [&mut self.history, &mut self.fresh] {
             if list.len() == KEPT {
                 list.remove(0);

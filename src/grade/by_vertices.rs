@@ -1,7 +1,7 @@
 //! Points of what nothing explains, by how near its vertices are.
 
 use super::graded::Graded;
-use super::rubric::share_left;
+use super::shares::share_left;
 use crate::io::{RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE, RubricData, TestData, TestKind};
 use std::ops::Range;
 

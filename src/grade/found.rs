@@ -59,12 +59,17 @@ pub(super) fn nearly(found: &Diagnosis) -> Vec<&'static str> {
     nearly
 }
 
+/// Names in the form in which results keep them.
+pub(super) fn owned(ids: &[&str]) -> Vec<String> {
+    ids.iter().map(|&id| id.to_owned()).collect()
+}
+
 /// The explanations, the one that is told in words first; none without one.
 pub(super) fn explanations(
     told: Vec<&'static str>,
     same_as: &[Vec<&'static str>],
 ) -> Vec<Vec<String>> {
     let first = (!told.is_empty()).then_some(&told);
-    let owned = |ids: &Vec<&str>| ids.iter().map(|&id| id.to_owned()).collect();
-    first.into_iter().chain(same_as).map(owned).collect()
+    let all = first.into_iter().chain(same_as);
+    all.map(|ids| owned(ids)).collect()
 }

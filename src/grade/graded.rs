@@ -61,6 +61,8 @@ pub struct Graded {
     /// [`RIGHT_BUT_FOR_LITTLE`](crate::io::RIGHT_BUT_FOR_LITTLE) or
     /// [`MOVED_AS_A_WHOLE`](crate::diagnose::MOVED_AS_A_WHOLE).
     pub nearly: Vec<String>,
+    /// Mistakes of the causes that by themselves would move no vertex by more than 0.1 %, by name.
+    pub slight: Vec<String>,
     /// How far the file is from the exact one, by the size; `None` without a diagnosis, and where it
     /// is not finite.
     pub error: Option<f64>,
@@ -99,6 +101,7 @@ impl Graded {
             hint: None,
             causes: Vec::new(),
             nearly: Vec::new(),
+            slight: Vec::new(),
             error: None,
             agrees: 0.0,
             near: 0.0,

@@ -115,6 +115,7 @@ impl Held {
             hint: None,
             causes,
             nearly: Vec::new(),
+            slight: Vec::new(),
             posed: 0.0,
             ..graded.clone()
         }

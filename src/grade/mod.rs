@@ -18,6 +18,7 @@ mod report;
 mod rubric;
 mod section;
 mod settled;
+mod shares;
 mod style;
 mod terminal;
 mod test;

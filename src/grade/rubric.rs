@@ -1,39 +1,16 @@
 //! Points by the rubric.
 
-use super::by_vertices::{UNSEEN, by_vertices};
+use super::by_vertices::by_vertices;
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use crate::diagnose::{
-    MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, TRIANGLES_DIFFER,
-    TRIANGLES_TURNED, VERTEX_MISSING, VERTEX_TOO_MANY,
-};
-use crate::io::{
-    OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_JOINTS,
-    RIGHT_BUT_FOR_LITTLE, RubricData, TestData,
-};
+use super::shares::share_left;
+use crate::diagnose::{Mistake, POSE_NOT_APPLIED};
+use crate::io::{OTHER_POSE, RIGHT_BUT_FOR_JOINTS, RubricData, TestData};
 use std::collections::BTreeMap;
 
-/// What a pose that was not applied leaves unless the rubric says otherwise. All of a result rests on it: a mesh that is
-/// not in the pose of its test shows nothing of what the test asks for, whatever the section. Another pose counts as it
-/// does.
-const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// How much of a test's pose another one has that shows all that the test asks for but some angles: more than this, which
 /// any pose of the same joints has.
 pub(super) const MOSTLY_POSED: f64 = 0.5;
-/// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
-/// mistake in skinning.
-const LEFT_BY_LITTLE: &[(&str, f64)] = &[
-    (RIGHT_BUT_FOR_FEW, 0.9),
-    (VERTEX_MISSING, 0.9),
-    (VERTEX_TOO_MANY, 0.9),
-    // Posing does nothing to faces, which a file may even leave out.
-    (TRIANGLES_DIFFER, 0.9),
-    (TRIANGLES_TURNED, 0.9),
-    (RIGHT_BUT_FOR_DIGITS, 0.9),
-    (RIGHT_BUT_FOR_LITTLE, 0.9),
-    (MOVED_AS_A_WHOLE, 0.75),
-    (PICTURE_TURNED, 0.75),
-];
 
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,
 /// for all else is right once it is set aside; one whose section has no points in the test costs them in the nearest
@@ -142,28 +119,6 @@ pub(super) fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &Rubr
     !graded.nearly.is_empty() && (is_better || is_without_pose)
 }
 
-/// The share that one mistake leaves of its section in a file. Unless the rubric has one for it, that is no less than what
-/// is right but for little has, where the mistake makes no more of a difference.
-pub(super) fn share_left(id: &str, graded: &Graded, rubric: &RubricData) -> f64 {
-    let mut by_little = LEFT_BY_LITTLE.iter();
-    let is_unseen =
-        graded.outcome == Outcome::Explained && graded.error.is_some_and(|error| error <= UNSEEN);
-    let without = match id {
-        POSE_NOT_APPLIED => LEFT_WITHOUT_POSE,
-        // The pose that was asked for is as little in it as in one that is not posed at all.
-        OTHER_POSE => share_left(POSE_NOT_APPLIED, graded, rubric),
-        id => {
-            let known = by_little.find(|(known, _)| *known == id);
-            let usual = known.map_or(rubric.mistake.0, |(_, share)| *share);
-            match is_unseen && id != RIGHT_BUT_FOR_LITTLE {
-                true => usual.max(share_left(RIGHT_BUT_FOR_LITTLE, graded, rubric)),
-                false => usual,
-            }
-        }
-    };
-    rubric.mistakes.get(id).map_or(without, |share| share.0)
-}
-
 /// What mistakes that are made together leave in each section.
 fn left_by(
     ids: &[String],
@@ -219,7 +174,11 @@ pub(super) mod tests {
         }
     }
 
-    fn given(sections: &[(&str, f64)], graded: &Graded, rubric: &RubricData) -> Vec<f64> {
+    pub(in crate::grade) fn given(
+        sections: &[(&str, f64)],
+        graded: &Graded,
+        rubric: &RubricData,
+    ) -> Vec<f64> {
         points(&test(sections), graded, rubric)
             .into_values()
             .collect()
@@ -396,29 +355,6 @@ pub(super) mod tests {
             panic!("two sections");
         };
         assert!((small - 5.988).abs() < 1e-9 && (large - 9.98).abs() < 1e-9);
-    }
-
-    #[test]
-    fn a_mistake_that_nobody_sees_costs_as_little_as_what_is_right_but_for_little() {
-        let mut rubric = RubricData::default();
-        let normalized = |error: f64| Graded {
-            error: Some(error),
-            ..explained(&[&["weights-normalized"]])
-        };
-        assert_eq!(given(TWO, &normalized(0.0004), &rubric), [6.0, 9.0]);
-        assert_eq!(given(TWO, &normalized(0.0011), &rubric), [6.0, 5.0]);
-        let told = why(&test(TWO), &normalized(0.0004), &rubric);
-        let text = "weights-normalized leaves 90 % of 4.2, so little is the mesh off";
-        assert_eq!(told, [text]);
-        let unposed = Graded {
-            error: Some(0.0004),
-            ..explained(&[&["pose-not-applied"]])
-        };
-        assert_eq!(given(TWO, &unposed, &rubric), [0.0, 0.0]);
-        // The rubric's own share counts.
-        let name = "weights-normalized".to_owned().try_into().unwrap();
-        rubric.mistakes.insert(name, Share(0.7));
-        assert_eq!(given(TWO, &normalized(0.0004), &rubric), [6.0, 7.0]);
     }
 
     #[test]

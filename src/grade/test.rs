@@ -3,7 +3,7 @@
 mod other_tests;
 mod shown_mesh;
 
-use super::found::{explanations, hint, nearly, outcome};
+use super::found::{explanations, hint, nearly, outcome, owned};
 use super::graded::{Graded, Outcome, rounded};
 use super::nearness::nearness;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
@@ -255,7 +255,8 @@ impl Test {
             text: found.to_string(),
             hint: hint(found),
             causes,
-            nearly: nearly(found).into_iter().map(str::to_owned).collect(),
+            nearly: owned(&nearly(found)),
+            slight: owned(&found.slight),
             posed: found
                 .other_pose
                 .as_ref()
@@ -322,6 +323,7 @@ impl Test {
                 true => vec![RIGHT_BUT_FOR_FEW.to_owned()],
                 false => Vec::new(),
             },
+            slight: Vec::new(),
             posed: 0.0,
             agrees,
             near: agrees,

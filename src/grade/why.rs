@@ -3,7 +3,8 @@
 use super::by_vertices::{FAR_OFF, UNSEEN, by_vertices};
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
-use super::rubric::{counted, counts_as_mistakes, of_other_pose, share_left};
+use super::rubric::{counted, counts_as_mistakes, of_other_pose};
+use super::shares::{Unseen, share_and_reason, share_left};
 use crate::diagnose::{POSE_NOT_APPLIED, of_size};
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
@@ -81,8 +82,7 @@ fn why_by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData) -> Str
 
 /// What a mistake, or a file that is nearly right, leaves of which section.
 fn why_mistake(id: &str, test: &TestData, graded: &Graded, rubric: &RubricData) -> String {
-    let share = share_left(id, graded, rubric);
-    let is_unseen = share > share_left(id, &Graded::without(graded.outcome, ""), rubric);
+    let (share, unseen) = share_and_reason(id, graded, rubric);
     let share = percent(share);
     if id == POSE_NOT_APPLIED {
         return format!("{id} leaves {share} of every section");
@@ -90,9 +90,10 @@ fn why_mistake(id: &str, test: &TestData, graded: &Graded, rubric: &RubricData) 
     let own = own_section(id);
     let section = section_of(own, test).unwrap_or_default();
     let own = number(own);
-    let unseen = match is_unseen {
-        true => ", so little is the mesh off",
-        false => "",
+    let unseen = match unseen {
+        Some(Unseen::Mesh) => ", so little is the mesh off",
+        Some(Unseen::Alone) => ", so little would it move by itself",
+        None => "",
     };
     let told = format!("{id} leaves {share} of {section}{unseen}");
     match own == number(section) {

@@ -9,13 +9,17 @@ const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 
 const NONE: Modifiers = Modifiers::NONE;
 const SHIFT: Modifiers = Modifiers::SHIFT;
+const CTRL: Modifiers = Modifiers::COMMAND;
 
 /// Each key with why it does nothing. Those that add a shape in other navigations say how that is done in this one.
 #[rustfmt::skip]
 pub(super) const NOT_HERE: &[(KeyboardShortcut, &str)] = &[
+    (key(NONE, Key::Num0), "No camera stands in the scene: a picture shows what the view shows"),
     (key(NONE, Key::Num5), "The camera is always in perspective: there is no orthographic view"),
     (key(NONE, Key::Slash), "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back"),
     (key(NONE, Key::Z), "Shading, colors and looks are chosen in View, looks also beside the axes"),
+    (key(NONE, Key::Backtick), "There is no menu of views: 1, 3 and 7 look from the front, the right and above, with Ctrl from the other side"),
+    (key(CTRL, Key::M), "Shapes are not mirrored. M mirrors the pose, Shift+M that of the selected joints onto the other side"),
     (key(SHIFT, Key::R), "Nothing repeats what was done last. Edit ⏵ Reset puts a shape back to the start"),
     (key(SHIFT, Key::S), "There is no Snap menu: Ctrl snaps in a drag. Shift+A adds shapes"),
     (key(SHIFT, Key::B), "There is no zoom into a box: the period key fits what is selected. Shift+A adds curves"),

@@ -4,7 +4,7 @@ use crate::collada::support::{
     Skin, controllers, document, geometries, geometry, import_clean, joint, skinned, triangles,
 };
 use editor_core::character::{Character, Pose};
-use editor_core::diagnose::{ToldFor, Verdict, diagnose};
+use editor_core::diagnose::{Mistake, ToldFor, Verdict, diagnose};
 use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
 use glam::{Mat3, Mat4, Vec3, Vec4, Vec4Swizzles};
@@ -331,7 +331,9 @@ fn mistakes_that_give_the_same_are_told_by_what_a_collada_file_has_as_well() {
     let (posed, shape) = (in_pose(), bind_shape());
     let theirs = theirs(|joint| posed[joint] * shape);
     let mut found = diagnose(&arm(), &pose(), &theirs).unwrap();
-    found.same_as = vec![vec!["weights-shifted"]];
+    let shifted = Mistake::find("weights-shifted").unwrap();
+    found.same_as = vec![vec![shifted.id]];
+    found.others = vec![shifted.told_for(ToldFor::CourseEditor)];
     assert!(found.to_string().contains("column c"), "{found}");
     let told = found.told_for(ToldFor::VirtualMannequin).to_string();
     let same = "weights-shifted: the weights of each joint are taken for the joint before it";

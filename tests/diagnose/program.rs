@@ -75,7 +75,7 @@ no-inverse-bind: vertices are moved by T alone, without the inverse of B
   look at  updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled
   shown by Tip, vertex 2 (from 0): theirs (-3.0000, 1.0000, 0.0000), exact (-2.0000, 1.0000, 0.0000)
   indistinguishable here: own-transform-missing
-           own-transform-missing: what is kept for a joint is the transform of its parent, without its own
+           own-transform-missing: what is kept for a joint is the transform of its parent, without its own (in B)
 ";
     assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(1), told, WARNING));
 }

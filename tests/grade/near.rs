@@ -1,7 +1,7 @@
 //! Meshes that nothing explains count by how near they are.
 
 use crate::diagnose::figures::obj;
-use crate::diagnose::student::with;
+use crate::diagnose::student::{Student, with};
 use crate::grade::support::{Class, result};
 use editor_core::math::Aabb;
 use glam::Vec3;
@@ -90,4 +90,31 @@ fn of_a_mesh_with_one_vertex_more_it_is_known_how_much_of_it_is_right() {
         (&found["agrees"], &found["near"]),
         (&json!(1.0), &json!(1.0))
     );
+}
+
+#[test]
+#[expect(clippy::approx_constant, reason = "students write π so")]
+fn what_nobody_sees_beside_a_mistake_costs_as_little_as_alone() {
+    let class = Class::new(&["robot"]);
+    let test = &class.tests[0].0;
+    for (student, ids) in [("ann", &[][..]), ("bob", &["no-inverse-bind"])] {
+        let coarse = Student {
+            to_radians: |degrees| degrees * 3.14 / 180.0,
+            ..with(ids)
+        };
+        class.submit(student, &coarse, |number| number.to_string());
+    }
+    let report = class.graded();
+    let why = |student: &str| result(&report, student, test)["why"].clone();
+    let told = "angles-scaled leaves 90 % of 3.4, so little";
+    assert_eq!(why("ann"), json!([format!("{told} is the mesh off")]));
+    assert_eq!(
+        why("bob"),
+        json!([
+            "no-inverse-bind leaves 50 % of 4.2",
+            format!("{told} would it move by itself")
+        ])
+    );
+    let points = &result(&report, "bob", test)["points"];
+    assert_eq!(*points, json!({"3.2": 4.0, "3.4": 5.4, "4.2": 5.0}));
 }

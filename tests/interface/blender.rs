@@ -264,6 +264,28 @@ fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_m
 }
 
 #[test]
+fn keys_for_a_camera_a_menu_of_views_and_mirrored_shapes_say_what_is_there_instead() {
+    let mut editor = in_blender(Editor::with_figure());
+    for (modifiers, key, expected) in [
+        (
+            Modifiers::NONE,
+            Key::Num0,
+            "a picture shows what the view shows",
+        ),
+        (
+            Modifiers::NONE,
+            Key::Backtick,
+            "1, 3 and 7 look from the front",
+        ),
+        (Modifiers::COMMAND, Key::M, "Shift+M"),
+    ] {
+        editor.key_with(modifiers, key);
+        let told = editor.last_told().unwrap_or_default();
+        assert!(told.contains(expected), "{key:?}: {told}");
+    }
+}
+
+#[test]
 fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
     let typed = [Key::X, Key::Num1, Key::Num4, Key::Num5, Key::Enter];
     let mut editor = in_blender(Editor::new());

@@ -1,7 +1,7 @@
 //! What the program tells, over the view and in the history.
 
 use crate::interface::Editor;
-use editor_core::editor::Severity;
+use editor_core::editor::{Message, Severity};
 use egui::Key;
 
 fn tell(editor: &mut Editor, severity: Severity, text: &str) {
@@ -59,6 +59,28 @@ fn a_notice_that_is_dismissed_stays_in_the_messages() {
     assert!(!editor.has("Show messages"), "it was seen");
     editor.choose(&["Help", "Messages"]);
     assert!(editor.has("a.skel:3:1: no such parent"));
+}
+
+#[test]
+fn what_is_told_again_is_shown_once_and_as_the_newest() {
+    let mut editor = Editor::new();
+    for text in ["no faces in a.obj", "second", "no faces in a.obj", "fourth"] {
+        tell(&mut editor, Severity::Warning, text);
+    }
+    let messages = &editor.session().messages;
+    let texts = |all: &[Message]| all.iter().map(|told| told.text.clone()).collect::<Vec<_>>();
+    assert_eq!(
+        texts(messages.fresh()),
+        ["second", "no faces in a.obj", "fourth"]
+    );
+    assert_eq!(messages.history().len(), 4);
+    tell(&mut editor, Severity::Error, "fourth");
+    let fresh = editor.session().messages.fresh();
+    assert_eq!(
+        texts(&fresh[fresh.len() - 2..]),
+        ["fourth", "fourth"],
+        "it is worse"
+    );
 }
 
 #[test]

@@ -267,9 +267,8 @@ impl Parts<'_> {
             "Indistinguishable here: {}",
             all.collect::<Vec<_>>().join(", ")
         );
-        let ids = diagnosis.same_as.iter().flatten().copied();
-        label(ui, &text, Palette::of(ui.visuals()).weak)
-            .on_hover_text(meanings(ids, diagnosis.told_for));
+        let others: Vec<_> = diagnosis.others.iter().map(ToString::to_string).collect();
+        label(ui, &text, Palette::of(ui.visuals()).weak).on_hover_text(others.join("\n"));
     }
 
     /// What is known of a mesh that no mistake gives.
@@ -327,7 +326,7 @@ impl Parts<'_> {
         let at = joint.map_or(String::new(), |joint| format!(", the worst at {joint}"));
         let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
         let is_marked = self.chosen.marked == Some(first.vertex);
-        let button = ui.add(Button::selectable(is_marked, text).wrap());
+        let button = ui.add(Button::new(text).selected(is_marked).wrap());
         if button
             .on_hover_text(format!("{first}\nClick to go there"))
             .clicked()
