@@ -251,7 +251,7 @@ impl Diagnosis {
                 } else {
                     "vertices"
                 };
-                write!(f, ", all but {} {vertices}", nearest.off)?;
+                write!(f, ", and gives all but {} {vertices}", nearest.off)?;
             }
             fmt_where(std::slice::from_ref(mistake), f)?;
         }

@@ -3,7 +3,7 @@
 use super::as_good;
 use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict, all_causes};
 use super::faces::FaceDifference;
-use super::formula::VertexOrder;
+use super::formula::{Formula, VertexOrder};
 use super::mannequin_words::ToldFor;
 use super::mistake::{IN_ANY_ORDER, Mistake};
 use super::model::Model;
@@ -131,11 +131,11 @@ impl Findings<'_> {
         slight.difference(&others).copied().collect()
     }
 
-    /// Whether a mistake by itself leaves every vertex within `limit` of the exact one, as far as that is known without the
-    /// mesh.
+    /// Whether a mistake by itself leaves every vertex within `limit` of the exact one. What it makes of them is known from its
+    /// formula alone, which neither numbers from the mesh nor an order of vertices are in.
     fn moves_within(&self, made: Made, pose: &Pose, limit: f64) -> bool {
         let mut formula = formula(&[made]);
-        if made.is_by_numbers() || formula.vertex_order != VertexOrder::File {
+        if formula == Formula::default() || formula.vertex_order != VertexOrder::File {
             return false;
         }
         formula.vertex_order = self.order;

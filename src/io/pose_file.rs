@@ -1,3 +1,4 @@
+use super::content_kind::extension_of;
 use super::joint_names::{Misfit, find_joint, find_root, no_such_joint};
 use super::json::Json;
 use super::pose_data::{Entries, Key, PoseData};
@@ -22,6 +23,10 @@ impl PoseFile {
     /// If it is no JSON, or not of this form, or has a name or an index twice, or several poses; one that is
     /// alone among `"poses"` is read.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
+        if matches!(extension_of(bytes), "scene" | "zip") {
+            let message = "expected a pose, found a scene: open it, and save the pose of its character by Pose ⏵ Save Pose";
+            return Err(Diagnostic::new(path, message));
+        }
         let json = Json::parse(path, bytes)?;
         match json.read() {
             Ok(data) => Ok(Self::of(&json, path, data)),

@@ -183,6 +183,9 @@ impl Program {
         let is_new = |path: &PathBuf| !named.contains(&files.real(path));
         let others: Vec<PathBuf> = others.into_iter().filter(is_new).collect();
         self.session.messages.dismiss_numbers(&(0..since));
+        if self.document.path() != Some(&path) {
+            self.ui.colors = MeshColors::default();
+        }
         self.show_opened(loaded.shapes, loaded.view, compared);
         self.document = self.file_of(&path, &*files);
         self.remember_recent(&io::character_file(&*files, &path));

@@ -14,6 +14,7 @@ const CTRL: Modifiers = Modifiers::COMMAND;
 /// Each key with why it does nothing. Those that add a shape in other navigations say how that is done in this one.
 #[rustfmt::skip]
 pub(super) const NOT_HERE: &[(KeyboardShortcut, &str)] = &[
+    (key(NONE, Key::Space), "There is no animation to play: files of poses are opened one pose at a time"),
     (key(NONE, Key::Num0), "No camera stands in the scene: a picture shows what the view shows"),
     (key(NONE, Key::Num5), "The camera is always in perspective: there is no orthographic view"),
     (key(NONE, Key::Slash), "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back"),

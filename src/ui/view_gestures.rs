@@ -36,8 +36,8 @@ pub fn view_gestures(
     let clicked = view.secondary_clicked() && !view.long_touched() && !state.gesture_under_way();
     let asked = view.interact_pointer_pos().filter(|_| clicked);
     if let Some(at) = pressed_long.or(asked) {
-        let held = state.pose.let_go.filter(|_| pressed_long.is_some());
-        let held = held.map(|(_, held)| held);
+        let held = state.pose.let_go.as_ref().map(|let_go| let_go.held);
+        let held = held.filter(|_| pressed_long.is_some());
         context_menu::ask(places, session, state, at, held, actions);
     }
     control_points::forget_clicked(&mut state.curves, actions);

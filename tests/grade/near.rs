@@ -118,3 +118,19 @@ fn what_nobody_sees_beside_a_mistake_costs_as_little_as_alone() {
     let points = &result(&report, "bob", test)["points"];
     assert_eq!(*points, json!({"3.2": 4.0, "3.4": 5.4, "4.2": 5.0}));
 }
+
+#[test]
+fn vertices_in_another_order_cost_as_much_as_any_mistake_since_they_are_not_where_they_belong() {
+    let class = Class::new(&["robot"]);
+    let (test, figure) = &class.tests[0];
+    let mut places = with(&[]).skin(figure);
+    places.reverse();
+    let text = obj(&places, figure, |number| number.to_string());
+    class.write(&format!("class/ann/{test}.obj"), text);
+    let report = class.graded();
+    let found = result(&report, "ann", test);
+    assert_eq!(found["causes"], json!([["vertices-renumbered"]]), "{found}");
+    let why =
+        json!(["vertices-renumbered leaves 50 % of 4.2, since the test has no points for 4.1"]);
+    assert_eq!(found["why"], why);
+}

@@ -267,6 +267,7 @@ fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_m
 fn keys_for_a_camera_a_menu_of_views_and_mirrored_shapes_say_what_is_there_instead() {
     let mut editor = in_blender(Editor::with_figure());
     for (modifiers, key, expected) in [
+        (Modifiers::NONE, Key::Space, "no animation"),
         (
             Modifiers::NONE,
             Key::Num0,

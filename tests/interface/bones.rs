@@ -568,6 +568,29 @@ fn arrows_move_a_shape_along_one_axis() {
 }
 
 #[test]
+fn where_bones_show_the_middle_of_a_figures_arrows_is_the_root_that_it_lies_over() {
+    let mut editor = Editor::with_hands(Key::G);
+    let id = editor.shape().id;
+    let middle = editor.place(Vec3::ZERO);
+    for shows_bones in [false, true] {
+        if shows_bones {
+            editor.show_skeleton();
+        }
+        editor.view(View::Select(Some(id)));
+        editor.view(View::SelectJoint(None));
+        editor.hand(middle, middle + vec2(30.0, -20.0));
+        let moved = editor.shape().placement.transform.position;
+        let offset = editor.root_offset(ROOT);
+        assert_eq!(
+            (moved != Vec3::ZERO, offset != Vec3::ZERO),
+            (!shows_bones, shows_bones),
+            "{moved} {offset}"
+        );
+        editor.edit(Edit::SetTransform(id, Transform::default()));
+    }
+}
+
+#[test]
 fn the_tools_have_buttons_keys_and_a_menu() {
     let mut editor = Editor::with_figure();
     for (key, label) in [

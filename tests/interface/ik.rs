@@ -13,6 +13,7 @@ const LEFT_HIP: usize = 8;
 const LEFT_LEG: usize = 9;
 const LEFT_KNEE: usize = 10;
 const LEFT_FOOT: usize = 11;
+const LEFT_ELBOW: usize = 17;
 const RIGHT_FOOT: usize = 7;
 
 const STEP: Vec2 = vec2(25.0, -40.0);
@@ -386,6 +387,36 @@ fn the_status_line_says_what_is_under_the_pointer_and_what_it_would_do() {
     editor.pin(LEFT_KNEE);
     editor.point(at);
     assert!(editor.has("A pin above holds it"));
+}
+
+#[test]
+fn what_was_let_go_is_no_longer_at_hand_with_another_tool_or_other_joints() {
+    let says = |editor: &Editor| {
+        [
+            "Drag to bring it somewhere, the chain follows · P pins",
+            "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
+        ]
+        .map(|text| editor.has(text))
+    };
+    // Far out of reach, so that nothing is below the pointer.
+    let dragged_away = || {
+        let mut editor = Editor::with_ik();
+        let from = editor.on_bone(LEFT_ELBOW);
+        let to = from + vec2(150.0, 60.0);
+        editor.press(from);
+        editor.point(to);
+        editor.mouse(PointerButton::Primary, false, to);
+        assert_eq!(says(&editor), [true, false]);
+        editor
+    };
+    let mut editor = dragged_away();
+    editor.view(View::SelectJoint(None));
+    assert_eq!(says(&editor), [false; 2]);
+    assert_eq!(editor.session().hovered_joint(), None);
+    let mut editor = dragged_away();
+    editor.key(Key::B);
+    assert_eq!(says(&editor), [false; 2]);
+    assert_eq!(editor.session().hovered_joint(), None);
 }
 
 #[test]

@@ -60,6 +60,23 @@ fn one_pose_of_a_file_with_several_is_named_behind_the_file() {
 }
 
 #[test]
+fn a_scene_in_the_place_of_a_pose_is_told_to_be_one_and_how_its_pose_is_had() {
+    let folder = folder();
+    fs::write(
+        folder.path().join("my.scene"),
+        r#"{"format": "editor-scene", "version": 2, "shapes": []}"#,
+    )
+    .unwrap();
+    let arguments = ["export", "man.obj", "--pose", "my.scene", "-o", "out.obj"];
+    let ran = editor_in(folder.path(), &arguments);
+    let told = "error: my.scene: expected a pose, found a scene: open it, and save the pose of its character by \
+                Pose ⏵ Save Pose\n";
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.ends_with(told), "{}", ran.err);
+    assert!(!folder.path().join("out.obj").exists());
+}
+
+#[test]
 fn dual_quaternions_are_asked_for_on_the_command_line() {
     let folder = folder();
     let export = |method: &str| {

@@ -366,7 +366,7 @@ fn a_mesh_with_vertices_that_are_no_numbers_is_compared_by_its_others() {
     let is_told = texts.any(|text| text.contains("5 vertices are no numbers"));
     assert!(is_told, "{messages:?}");
     diagnose(&mut story);
-    text(&story, "all but 5 of its vertices are right");
+    text(&story, "All but 5 of its vertices are right.");
     let positions = &story.session().evaluated().shapes[0].world_bounds();
     assert!(positions.size().is_finite());
     // The colors are those of the largest distance that is one, and so is the scale's end.

@@ -661,7 +661,9 @@ fn messages_and_colors_of_a_document_go_with_it() {
     story.host.drop_file("models/gone.obj");
     story.settle();
     assert_eq!(story.session().messages.fresh().len(), 1);
+    story.program.ui_mut().colors = MeshColors::Weight;
     story.key_with(CTRL, Key::O);
     story.choose("models/strip.obj");
     assert!(story.session().messages.fresh().is_empty());
+    assert_eq!(story.program.ui_mut().colors, MeshColors::default());
 }

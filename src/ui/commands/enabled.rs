@@ -193,7 +193,9 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
             Some("The root is where it is at rest")
         }
         Command::ResetPose if character.is_at_rest() => Some("Every joint is at rest"),
-        Command::MirrorPose if pose.is_bind() => Some("Every joint is at rest"),
+        Command::MirrorPose if pose.is_bind() => {
+            Some("There is nothing to mirror: every joint is at rest")
+        }
         Command::MirrorJoints => mirror_joints(session).err(),
         _ => None,
     }

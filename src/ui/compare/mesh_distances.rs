@@ -2,12 +2,12 @@
 
 use super::mesh_panel::Parts;
 use super::panel::{line, of_which, say};
-use crate::diagnose::{MeshMeasure, part_of_size};
+use crate::diagnose::{MeshMeasure, Shown, part_of_size};
 use crate::ui::theme::Palette;
 use egui::{Button, Grid, RichText, Ui};
 
 impl Parts<'_> {
-    /// How far off theirs is, and a way to where it is farthest.
+    /// How far off theirs is, with ways to where it is farthest and to where that shows what is wrong.
     pub(super) fn numbers(&mut self, ui: &mut Ui) {
         let Some(measure) = self.compare.measure else {
             let text = format!(
@@ -34,6 +34,35 @@ impl Parts<'_> {
             if button.on_hover_text(tip).clicked() {
                 self.go_to(vertex);
             }
+        }
+        if let Some(first) = self.shown().cloned() {
+            self.shown_by(ui, &first);
+        }
+    }
+
+    /// The vertex that shows what is wrong, and ways to it and to its formula.
+    fn shown_by(&mut self, ui: &mut Ui, first: &Shown) {
+        let joint = first.joint.as_deref();
+        let at = joint.map_or(String::new(), |joint| format!(", the worst at {joint}"));
+        let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
+        let is_marked = self.chosen.marked == Some(first.vertex);
+        let button = ui.add(Button::new(text).selected(is_marked).wrap());
+        if button
+            .on_hover_text(format!("{first}\nClick to go there"))
+            .clicked()
+        {
+            self.go_to(first.vertex);
+        }
+        if self.chosen.explains {
+            return;
+        }
+        // Another one may be marked.
+        let vertex = self.chosen.marked.unwrap_or(first.vertex);
+        let formula = ui.button(format!("Show the Formula of Vertex {vertex}"));
+        let tip = "Explain how the joints move this vertex, in numbers that follow the pose (K)";
+        if formula.on_hover_text(tip).clicked() {
+            self.go_to(vertex);
+            self.chosen.explains = true;
         }
     }
 

@@ -179,15 +179,8 @@ impl Parts<'_> {
             let text = format!("In {} {}.", self.compare.name, diagnosis.faces);
             say(ui, &text, palette.warning);
         }
-        let character = self.session.scene().character(self.compare.shape);
-        let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
-        let is_of_pose = match diagnosis.verdict {
-            Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
-            Verdict::Explained | Verdict::Unexplained => false,
-        };
-        let lacks_pose = is_at_rest && !is_of_pose;
-        let is_together = diagnosis.together() == [POSE_NOT_APPLIED];
-        if lacks_pose && is_together {
+        let lacks_pose = self.lacks_pose(diagnosis);
+        if self.is_as_in_file(diagnosis) {
             return self.as_the_file_has_it(ui, diagnosis);
         }
         if lacks_pose {
@@ -236,9 +229,36 @@ impl Parts<'_> {
             Verdict::OtherPose | Verdict::Unexplained => self.unexplained(ui, diagnosis),
         }
         self.same_as(ui, diagnosis);
-        if let Some(first) = &diagnosis.first {
-            self.shown_by(ui, first);
+        if let Some(first) = diagnosis
+            .first
+            .as_ref()
+            .filter(|_| self.compare.measure.is_none())
+        {
+            say(ui, &format!("Shown by {first}"), palette.text);
         }
+    }
+
+    /// Whether the character is at rest, and theirs may be of a pose.
+    fn lacks_pose(&self, diagnosis: &Diagnosis) -> bool {
+        let character = self.session.scene().character(self.compare.shape);
+        let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
+        let is_of_pose = match diagnosis.verdict {
+            Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
+            Verdict::Explained | Verdict::Unexplained => false,
+        };
+        is_at_rest && !is_of_pose
+    }
+
+    /// Whether theirs is the mesh of the character's file, of a character at rest that is not quite so once it is skinned.
+    fn is_as_in_file(&self, diagnosis: &Diagnosis) -> bool {
+        self.lacks_pose(diagnosis) && diagnosis.together() == [POSE_NOT_APPLIED]
+    }
+
+    /// The vertex that shows what is wrong, as far as that is known.
+    pub(super) fn shown(&self) -> Option<&Shown> {
+        let diagnosis = self.compare.diagnosis?.as_ref().ok()?;
+        let is_told = self.compare.problem.is_none() && !self.is_as_in_file(diagnosis);
+        diagnosis.first.as_ref().filter(|_| is_told)
     }
 
     /// What is known of the mesh of the character's file beside the character at rest.
@@ -285,7 +305,7 @@ impl Parts<'_> {
             } else {
                 palette.text
             };
-            say(ui, finding, color);
+            say(ui, &sentence(finding), color);
         }
         if found.is_empty() && diagnosis.other_pose.is_none() {
             let text = "No known mistake gives this mesh in this pose, nor do two of them.";
@@ -313,36 +333,6 @@ impl Parts<'_> {
                 100.0 * nearest.explains
             );
             say(ui, &text, palette.text);
-        }
-    }
-
-    /// The vertex that shows what is wrong, and ways to it and to its formula.
-    fn shown_by(&mut self, ui: &mut Ui, first: &Shown) {
-        if self.compare.measure.is_none() {
-            let color = Palette::of(ui.visuals()).text;
-            return say(ui, &format!("Shown by {first}"), color);
-        }
-        let joint = first.joint.as_deref();
-        let at = joint.map_or(String::new(), |joint| format!(", the worst at {joint}"));
-        let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
-        let is_marked = self.chosen.marked == Some(first.vertex);
-        let button = ui.add(Button::new(text).selected(is_marked).wrap());
-        if button
-            .on_hover_text(format!("{first}\nClick to go there"))
-            .clicked()
-        {
-            self.go_to(first.vertex);
-        }
-        if self.chosen.explains {
-            return;
-        }
-        // Another one may be marked.
-        let vertex = self.chosen.marked.unwrap_or(first.vertex);
-        let formula = ui.button(format!("Show the Formula of Vertex {vertex}"));
-        let tip = "Explain how the joints move this vertex, in numbers that follow the pose (K)";
-        if formula.on_hover_text(tip).clicked() {
-            self.go_to(vertex);
-            self.chosen.explains = true;
         }
     }
 

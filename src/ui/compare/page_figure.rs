@@ -17,7 +17,7 @@ const ALWAYS: &str = "A is the Virtual Mannequin's page, which has noise in its 
 
 /// What to do where nothing is in its place.
 const ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where \
-                                    the page's was: Home leads to where it starts. A page with a slanted horizon cannot be \
+                                    the page's was: Home twice leads to where it starts. A page with a slanted horizon cannot be \
                                     matched, for B's camera keeps level.";
 
 /// Share of the box round a figure that differs, where no limbs explain it, from which on the camera may be what is turned:

@@ -44,9 +44,8 @@ pub(super) struct PoseState {
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
-    /// Where a drag has left the pointer, or a roll by keys, until that moves, with the character and the joint that were
-    /// turned.
-    pub let_go: Option<(Pos2, (ShapeId, usize))>,
+    /// What a drag or a roll by keys has turned, while it is still at hand.
+    pub let_go: Option<LetGo>,
     /// The bone that keys rolled last.
     pub rolled: Option<Rolled>,
     /// What a command asked to be done to the selection with the pointer from now on, and how that gesture begins.
@@ -73,6 +72,33 @@ pub(super) struct PoseState {
     pub bar_bottom: f32,
     /// The handle of a gizmo under the pointer in the last frame, while nothing is dragged.
     pub hot: Option<Handle>,
+}
+
+/// What was turned last is at hand, wherever that has left the pointer, until the pointer moves, or another tool or other
+/// joints are chosen.
+#[derive(Clone, Debug)]
+pub(super) struct LetGo {
+    /// The place of the pointer.
+    at: Pos2,
+    /// The character and the joint.
+    pub held: (ShapeId, usize),
+    tool: Tool,
+    joints: Vec<usize>,
+}
+
+impl LetGo {
+    fn new(at: Pos2, held: (ShapeId, usize), tool: Tool, session: &Session) -> Self {
+        Self {
+            at,
+            held,
+            tool,
+            joints: session.selected_joints().to_vec(),
+        }
+    }
+
+    fn is_at_hand(&self, at: Option<Pos2>, tool: Tool, session: &Session) -> bool {
+        at == Some(self.at) && tool == self.tool && session.selected_joints() == self.joints
+    }
 }
 
 /// A bone that keys have rolled: the taps of a key are one step, as long as nothing else is done.
@@ -186,16 +212,11 @@ pub(super) fn take_keys(ctx: &Context, state: &mut PoseState) -> bool {
     is_turned && ctx.input(|input| input.key_pressed(Key::R))
 }
 
-/// Shows the gizmo of a joint that is selected by a click, in the view or in the list. Once none is selected any more,
-/// the one that was let go last is not at hand, either.
+/// Shows the gizmo of a joint that is selected by a click, in the view or in the list.
 pub(super) fn notice_selection(state: &mut PoseState, actions: &[Action]) {
     let selects = |action: &Action| matches!(action, Action::View(View::SelectJoint(Some(_))));
-    let deselects = |action: &Action| matches!(action, Action::View(View::SelectJoint(None)));
     if actions.iter().any(selects) {
         state.without_gizmo = None;
-    }
-    if actions.iter().any(deselects) {
-        state.let_go = None;
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
-use super::{PoseState, ik, shows_skeleton, takes_bones_of};
+use super::{LetGo, PoseState, ik, shows_skeleton, takes_bones_of};
 use crate::editor::{BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, Session, Tool, View, root_of};
 use crate::math::Ray;
 use crate::scene::{BoneHit, ShapeId, pick_bone, turned_there};
@@ -81,16 +81,18 @@ pub(in crate::ui) fn pointer(
         if !goes_on {
             state.gesture = None;
             let at = view.ctx.input(|input| input.pointer.latest_pos());
-            state.let_go = at.zip(held);
+            let held = at.zip(held);
+            state.let_go = held.map(|(at, held)| LetGo::new(at, held, state.tool, session));
         }
         view.ctx.set_cursor_icon(CursorIcon::Grabbing);
         mark(session, held, actions);
         return PointerUse::Holding;
     }
-    // What was let go is still at hand, wherever the drag has left the pointer, until that moves.
-    let is_at_rest = |at: Pos2| view.hover_pos() == Some(at) && !view.clicked();
-    state.let_go = state.let_go.filter(|&(at, _)| is_at_rest(at));
-    if let Some((_, held)) = state.let_go
+    let at = view.hover_pos().filter(|_| !view.clicked());
+    let tool = state.tool;
+    let is_at_hand = |let_go: &LetGo| let_go.is_at_hand(at, tool, session);
+    state.let_go = state.let_go.take().filter(is_at_hand);
+    if let Some(held) = state.let_go.as_ref().map(|let_go| let_go.held)
         && let Some(hit) = state.taken.filter(|hit| (hit.shape, hit.joint) == held)
     {
         state.hovered = Some(hit);

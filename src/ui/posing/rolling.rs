@@ -1,6 +1,6 @@
 //! What the arrow keys do to bones.
 
-use super::{PoseState, Rolled};
+use super::{LetGo, PoseState, Rolled};
 use crate::editor::{ROLL_STEP, Session, Tool, roll};
 use crate::scene::ShapeId;
 use crate::ui::grab::is_pickable;
@@ -77,7 +77,8 @@ pub(in crate::ui) fn roll_by_keys(
     // What the roll swings under the pointer is not what is meant by the next tap.
     if let Some(hit) = hovered {
         let at = ctx.input(|input| input.pointer.latest_pos());
-        state.pose.let_go = at.map(|at| (at, (hit.shape, hit.joint)));
+        let held = (hit.shape, hit.joint);
+        state.pose.let_go = at.map(|at| LetGo::new(at, held, Tool::Pose, session));
         state.pose.taken = Some(hit);
     }
 }

@@ -78,18 +78,22 @@ impl Gizmo {
         }
     }
 
-    /// The same unless a bone is there, too, that the handle looks like: who points at that means the bone.
+    /// The same unless a bone is there, too, that the handle looks like, or that the circle in the middle of a figure's
+    /// arrows lies over, as over its root: who points at that means the bone.
     pub(super) fn hit_beside_bones(
         &self,
         pixel: Vec2,
         is_bone: impl FnOnce() -> bool,
     ) -> Option<GizmoHit> {
         let hit = self.hit(pixel)?;
-        let looks_like_bone = match self {
+        let yields = match self {
             Self::Turn { rings, .. } => rings.looks_like_bone(hit.handle, pixel),
+            Self::Move { target, .. } => {
+                matches!(target, MoveTarget::Shape(_)) && hit.handle == Handle::Center
+            }
             _ => false,
         };
-        (!looks_like_bone || !is_bone()).then_some(hit)
+        (!yields || !is_bone()).then_some(hit)
     }
 
     /// Begins a drag of a handle with the pointer at a pixel of `place`; with `all`, the gizmo of a
