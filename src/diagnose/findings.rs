@@ -111,8 +111,8 @@ impl Findings<'_> {
         found
     }
 
-    /// Mistakes each of which by itself, as it is made in every explanation that has it beside others, moves no vertex by more
-    /// than `limit`.
+    /// Mistakes of the explanations that by themselves move no vertex by more than `limit`, in whichever way of those they
+    /// are made.
     pub(super) fn slight(
         &self,
         explanations: &[Explanation],

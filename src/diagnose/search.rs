@@ -211,8 +211,7 @@ impl<'a> Search<'a> {
                 _ => None,
             };
             found.extend(explained.filter(|both| {
-                let is_much_nearer =
-                    |other: Made| both.error <= self.error_of(&[other]) / MUCH_NEARER;
+                let is_much_nearer = |other: Made| both.error <= self.error_of(other) / MUCH_NEARER;
                 both.error <= rounding || beside_scaled.is_none_or(is_much_nearer)
             }));
         }
@@ -232,9 +231,9 @@ impl<'a> Search<'a> {
         alone
     }
 
-    /// How far the mesh is from the one with these mistakes alone, at most; infinite if they cannot give it.
-    fn error_of(&self, made: &[Made]) -> f64 {
-        let Some(mut skinner) = self.skinner(&formula(made)) else {
+    /// How far the mesh is from the one with a mistake alone, at most; infinite if that cannot give it.
+    fn error_of(&self, made: Made) -> f64 {
+        let Some(mut skinner) = self.skinner(&formula(&[made])) else {
             return f64::INFINITY;
         };
         let all = (0..self.theirs.len()).map(|index| self.distance(&mut skinner, index));

@@ -284,6 +284,12 @@ fn keys_for_a_camera_a_menu_of_views_and_mirrored_shapes_say_what_is_there_inste
         let told = editor.last_told().unwrap_or_default();
         assert!(told.contains(expected), "{key:?}: {told}");
     }
+    // What has the keyboard is pressed by Space.
+    let mut editor = in_blender(Editor::with_figure());
+    editor.widget("Pose Tool").focus();
+    editor.settle();
+    editor.key(Key::Space);
+    assert_eq!(editor.last_told(), None);
 }
 
 #[test]

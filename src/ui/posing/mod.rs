@@ -3,6 +3,7 @@
 mod amount;
 mod held;
 mod ik;
+mod let_go;
 mod paint;
 mod paint_gizmo;
 mod pointer;
@@ -31,6 +32,7 @@ use crate::ui::{Action, GestureStep};
 use egui::{Context, Key, Painter, Pos2, Response, Ui};
 use glam::Vec2;
 use held::{Held, PoseGesture};
+use let_go::LetGo;
 use std::borrow::Cow;
 
 /// State of the tools.
@@ -72,33 +74,6 @@ pub(super) struct PoseState {
     pub bar_bottom: f32,
     /// The handle of a gizmo under the pointer in the last frame, while nothing is dragged.
     pub hot: Option<Handle>,
-}
-
-/// What was turned last is at hand, wherever that has left the pointer, until the pointer moves, or another tool or other
-/// joints are chosen.
-#[derive(Clone, Debug)]
-pub(super) struct LetGo {
-    /// The place of the pointer.
-    at: Pos2,
-    /// The character and the joint.
-    pub held: (ShapeId, usize),
-    tool: Tool,
-    joints: Vec<usize>,
-}
-
-impl LetGo {
-    fn new(at: Pos2, held: (ShapeId, usize), tool: Tool, session: &Session) -> Self {
-        Self {
-            at,
-            held,
-            tool,
-            joints: session.selected_joints().to_vec(),
-        }
-    }
-
-    fn is_at_hand(&self, at: Option<Pos2>, tool: Tool, session: &Session) -> bool {
-        at == Some(self.at) && tool == self.tool && session.selected_joints() == self.joints
-    }
 }
 
 /// A bone that keys have rolled: the taps of a key are one step, as long as nothing else is done.
