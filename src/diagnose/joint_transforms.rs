@@ -213,6 +213,8 @@ impl<'a> Joints<'a> {
             Columns::Before => index.checked_sub(1)?,
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
             Columns::After => index + 1,
+            Columns::AfterToLast => (index + 1).min(self.order.len().saturating_sub(1)),
+            Columns::AfterToFirst => (index + 1) % self.order.len().max(1),
             Columns::LastAlone if index + 1 < self.order.len() => return None,
             Columns::WithoutLast if index + 1 == self.order.len() => return None,
             Columns::LastAlone | Columns::WithoutLast => index,

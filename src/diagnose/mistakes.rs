@@ -88,14 +88,24 @@ pub static MISTAKES: &[Mistake] = &[
             }),
         ],
     },
-    one_way!(
-        "weights-shifted-on",
-        SSD,
-        "column c of the weights is taken for joint c + 2 instead of joint c + 1, the last one for none",
-        "where the .attach file is read and weights are summed: the root's missing column is to be made up \
-         for in one of the two, not in both",
-        |formula| formula.weights.columns = Columns::After
-    ),
+    Mistake {
+        id: "weights-shifted-on",
+        meaning: "column c of the weights is taken for joint c + 2 instead of joint c + 1",
+        section: SSD,
+        look_at: "where the .attach file is read and weights are summed: the root's missing column is to be made up \
+                  for in one of the two, not in both",
+        readings: &[
+            reading("the last one for none", |formula| {
+                formula.weights.columns = Columns::After;
+            }),
+            reading("the last one for the last joint, too", |formula| {
+                formula.weights.columns = Columns::AfterToLast;
+            }),
+            reading("the last one for the first joint", |formula| {
+                formula.weights.columns = Columns::AfterToFirst;
+            }),
+        ],
+    },
     Mistake {
         id: "weight-rows-shifted",
         meaning: "vertices have the weights of their neighbors in the file",

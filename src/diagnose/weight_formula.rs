@@ -106,6 +106,10 @@ pub enum Columns {
     BeforeWithoutFirst,
     /// The one after, which the last column lacks.
     After,
+    /// The one after, for the last column the last joint.
+    AfterToLast,
+    /// The one after, for the last column the first joint.
+    AfterToFirst,
     /// Its own for the last joint, and none for all others.
     LastAlone,
     /// None for the last joint, and its own for all others.

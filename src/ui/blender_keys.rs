@@ -20,6 +20,8 @@ pub(super) const NOT_HERE: &[(KeyboardShortcut, &str)] = &[
     (key(NONE, Key::Slash), "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back"),
     (key(NONE, Key::Z), "Shading, colors and looks are chosen in View, looks also beside the axes"),
     (key(NONE, Key::Backtick), "There is no menu of views: 1, 3 and 7 look from the front, the right and above, with Ctrl from the other side"),
+    (key(NONE, Key::OpenBracket), OTHER_JOINTS),
+    (key(NONE, Key::CloseBracket), OTHER_JOINTS),
     (key(CTRL, Key::M), "Shapes are not mirrored. M mirrors the pose, Shift+M that of the selected joints onto the other side"),
     (key(SHIFT, Key::R), "Nothing repeats what was done last. Edit ⏵ Reset puts a shape back to the start"),
     (key(SHIFT, Key::S), "There is no Snap menu: Ctrl snaps in a drag. Shift+A adds shapes"),
@@ -32,4 +34,6 @@ pub(super) const NOT_HERE: &[(KeyboardShortcut, &str)] = &[
     (key(SHIFT, Key::U), ADDS_ELSEWHERE),
 ];
 
+const OTHER_JOINTS: &str =
+    "No key goes to a joint's parent or children: a click selects them, in the view or in the list";
 const ADDS_ELSEWHERE: &str = "This key adds no shape in Blender's navigation: Shift+A does";

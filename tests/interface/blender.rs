@@ -279,6 +279,7 @@ fn keys_for_a_camera_a_menu_of_views_and_mirrored_shapes_say_what_is_there_inste
             "1, 3 and 7 look from the front",
         ),
         (Modifiers::COMMAND, Key::M, "Shift+M"),
+        (Modifiers::NONE, Key::OpenBracket, "parent or children"),
     ] {
         editor.key_with(modifiers, key);
         let told = editor.last_told().unwrap_or_default();
@@ -290,6 +291,30 @@ fn keys_for_a_camera_a_menu_of_views_and_mirrored_shapes_say_what_is_there_inste
     editor.settle();
     editor.key(Key::Space);
     assert_eq!(editor.last_told(), None);
+}
+
+#[test]
+fn while_a_figure_is_posed_its_joints_are_inverted_and_not_the_figures() {
+    let mut editor = in_blender(Editor::with_figure());
+    let figure = editor.shape().id;
+    editor.choose(&["Insert", "Cube"]);
+    editor.view(View::Select(Some(figure)));
+    editor.key(Key::J);
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.key_with(Modifiers::COMMAND, Key::I);
+    let count = editor.character().character.skeleton().joints().len();
+    let others: Vec<usize> = (0..count).filter(|&joint| joint != NECK).collect();
+    let selected = |editor: &Editor| {
+        let mut joints = editor.session().selected_joints().to_vec();
+        joints.sort_unstable();
+        (editor.session().selected(), joints)
+    };
+    assert_eq!(selected(&editor), (Some(figure), others));
+    editor.key_with(Modifiers::COMMAND, Key::I);
+    assert_eq!(selected(&editor), (Some(figure), vec![NECK]));
+    editor.key(Key::A);
+    editor.key_with(Modifiers::COMMAND, Key::I);
+    assert_eq!(selected(&editor), (Some(figure), Vec::new()));
 }
 
 #[test]

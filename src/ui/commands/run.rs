@@ -198,6 +198,21 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
                 false => View::Select(None),
             }));
         }
+        Command::InvertSelection if let Some(shape) = posing::posed(session, state.pose.tool) => {
+            let joints = 0..session
+                .scene()
+                .character(shape)?
+                .character
+                .skeleton()
+                .joints()
+                .len();
+            let selected = session.selected_joints();
+            let others: Vec<usize> = joints.filter(|joint| !selected.contains(joint)).collect();
+            return Some(Action::View(match others.is_empty() {
+                true => View::SelectJoint(None),
+                false => View::SelectJoints(others),
+            }));
+        }
         Command::InvertSelection => {
             let others = others(session).map(|shape| shape.id).collect();
             return Some(Action::View(View::SelectInBox(others, BoxMode::Replace)));

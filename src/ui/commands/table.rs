@@ -192,7 +192,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Duplicate, Menu::Clipboard, "Duplicate", "Add copies of the selected shapes beside them", &[key(CTRL, Key::D)]).also("clone"),
     entry(Command::SelectAll, Menu::Clipboard, "Select All", "Select every shape that is shown, or while a figure is posed its joints; Ctrl and Shift with a click select several", &[key(CTRL, Key::A)]),
     entry(Command::SelectNone, Menu::Clipboard, "Select None", "Deselect every shape, or while a figure is posed its joints", &[key(CTRL.plus(SHIFT), Key::A)]).also("unselect deselect clear"),
-    entry(Command::InvertSelection, Menu::Clipboard, "Invert Selection", "Select the shapes that are shown and not selected, instead of those that are", &[]).also("inverse others"),
+    entry(Command::InvertSelection, Menu::Clipboard, "Invert Selection", "Select the shapes that are shown and not selected, instead of those that are, or while a figure is posed its joints", &[]).also("inverse others"),
     entry(Command::BoxSelect, Menu::Clipboard, "Box Select", "Draw a box with the next left drag in the view: shapes of which any part is in it are selected; Shift adds them, Ctrl takes them out", &[key(NONE, Key::Q)]).also("marquee rectangle border lasso"),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]).also("box"),
