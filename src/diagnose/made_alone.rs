@@ -97,8 +97,15 @@ impl<'a> MadeAlone<'a> {
             others.map(move |other| (one.min(other), one.max(other)))
         });
         let pairs: Vec<_> = pairs.filter(|&pair| known.insert(pair)).collect();
+        // A joint that moves nothing has no column in an .attach file, as the root, and no number in a skin.
+        let moving: BTreeSet<usize> = (0..self.search.theirs.len())
+            .flat_map(|vertex| self.moving(vertex))
+            .collect();
         let mut found = Vec::new();
         for (one, other) in pairs {
+            if !moving.contains(&one) || !moving.contains(&other) {
+                continue;
+            }
             if !self.moves_all_off(|joint| joint == one || joint == other) {
                 continue;
             }

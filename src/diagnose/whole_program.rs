@@ -14,6 +14,7 @@ use super::ways::Made;
 use crate::steps::Pace;
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
+use std::iter;
 
 /// Factors of the angles from which on the right one is sought.
 const FACTORS: [f64; 3] = [1.0, 2.0, 0.5];
@@ -128,11 +129,14 @@ async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation>
         if !factor.is_finite() {
             continue;
         }
-        if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
-            return Some(Explanation {
-                how: Some(told_factor(factor)),
-                ..given
-            });
+        // Rounded numbers lead to a factor that is near the right one.
+        for factor in iter::once(factor).chain(coarse_pi_near(factor)) {
+            if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
+                return Some(Explanation {
+                    how: Some(told_factor(factor)),
+                    ..given
+                });
+            }
         }
     }
     None
@@ -151,6 +155,17 @@ const COARSE_PIS: [(&str, f64); 6] = [
 ];
 /// How many units of the last digit that a factor has in words are 1.
 const UNITS_OF_FACTOR: f64 = 1e5;
+
+/// How far from a factor that was worked out from rounded numbers the right one may be.
+const NEAR_FACTOR: f64 = 1e-3;
+
+/// The factor by the coarse π that is the nearest one, if it is near.
+fn coarse_pi_near(factor: f64) -> Option<f64> {
+    let factors = COARSE_PIS.iter().map(|(_, pi)| pi / PI);
+    let away = |other: &f64| (other - factor).abs();
+    let nearest = factors.min_by(|one, other| away(one).total_cmp(&away(other)));
+    nearest.filter(|other| away(other) <= NEAR_FACTOR)
+}
 
 /// The factor of angles in words, with the coarse π that makes it, if one does.
 fn told_factor(factor: f64) -> String {

@@ -73,7 +73,9 @@ fn a_mistake_that_gives_all_vertices_but_a_few_is_the_nearest_one() {
     assert_eq!((nearest.mistake.id, nearest.off), ("weights-shifted", 3));
     assert!(nearest.is_nearly_all(), "{found}");
     assert!(
-        found.to_string().contains(", all but 3 vertices\n"),
+        found
+            .to_string()
+            .contains(", and gives all but 3 vertices\n"),
         "{found}"
     );
 }

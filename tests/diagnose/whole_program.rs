@@ -71,6 +71,24 @@ fn angles_by_a_coarse_pi_are_named_and_by_a_fine_one_they_are_right() {
 }
 
 #[test]
+#[expect(clippy::approx_constant, reason = "students write π so")]
+fn angles_by_a_coarse_pi_are_all_that_is_named_where_few_digits_are_written() {
+    let (all, student) = (
+        turned(61),
+        Student {
+            to_radians: |degrees| degrees * 3.14 / 180.0,
+            ..RIGHT
+        },
+    );
+    let figure = Figure::builtin("adult", |joint| all(joint) * 0.3);
+    for digits in [4, 3] {
+        let found = figure.diagnose(&written(&student.skin(&figure), digits));
+        let how = "each is 0.99949 times as large, as by a π of 3.14";
+        assert_named(&found, "angles-scaled", how);
+    }
+}
+
+#[test]
 fn angles_about_other_axes_are_named_with_these_axes() {
     let of_slider = |slider| of(&Student { slider, ..RIGHT }, 62);
     for (found, how) in [
@@ -1088,6 +1106,28 @@ fn joints_that_hang_on_what_a_misread_number_says_are_named() {
         causes.sort_unstable();
         assert_eq!(causes, ["euler-zyx", "parents-misread"], "{how}");
     }
+}
+
+#[test]
+fn weights_are_not_exchanged_with_a_joint_that_has_none() {
+    // A neck at rest moves as the root does, where the joints between them are at rest, too.
+    let bent = |joint| match joint {
+        3 => Vec3::new(10.0, 15.0, -5.0),
+        9 => Vec3::new(-30.0, 10.0, -1.0),
+        10 => Vec3::new(29.0, 5.0, 8.0),
+        _ => Vec3::ZERO,
+    };
+    let figure = Figure::builtin("adult", bent);
+    assert_eq!(figure.character.skeleton().joints()[3].name, "Neck");
+    let forgotten = Figure::builtin("adult", |joint| match joint {
+        3 => Vec3::ZERO,
+        joint => bent(joint),
+    });
+    let found = figure.diagnose(&written(&RIGHT.skin(&forgotten), 6));
+    assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
+    let joints = found.other_pose.unwrap().joints;
+    let joints: Vec<_> = joints.iter().map(|joint| &*joint.joint).collect();
+    assert_eq!(joints, ["Neck"]);
 }
 
 #[test]

@@ -358,7 +358,7 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
         (
             &["render", "man.obj", "--pose", "a.scene", "-o", "a.png"],
             1,
-            "a.scene:1:",
+            "a.scene: expected a pose, found a scene",
         ),
         (
             &["render", "box.obj", "--pose", "bend.json", "-o", "a.png"],
