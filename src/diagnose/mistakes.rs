@@ -5,7 +5,8 @@ use super::formula::{
     Rows, VertexOrder,
 };
 use super::mistake::{
-    EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, reading,
+    EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, rare_reading,
+    reading,
 };
 use super::of_product::{
     BIND_NOT_INVERTED, FACTORS_SWAPPED, INVERSE_BIND_ONLY, MATRIX_TRANSPOSED, NO_INVERSE_BIND,
@@ -101,7 +102,8 @@ pub static MISTAKES: &[Mistake] = &[
             reading("the last one for the last joint, too", |formula| {
                 formula.weights.columns = Columns::AfterToLast;
             }),
-            reading("the last one for the first joint", |formula| {
+            // Of two joints that is each other's weights.
+            rare_reading("the last one for the first joint", |formula| {
                 formula.weights.columns = Columns::AfterToFirst;
             }),
         ],

@@ -79,3 +79,36 @@ fn a_mistake_that_gives_all_vertices_but_a_few_is_the_nearest_one() {
         "{found}"
     );
 }
+
+#[test]
+fn joints_that_are_one_too_high_are_named_whatever_becomes_of_the_last_one() {
+    let clamped = Student {
+        row: |row| {
+            let (last, others) = row.split_last().unwrap();
+            let (before, first) = others.split_last().unwrap();
+            [&[0.0], first, &[before + last]].concat()
+        },
+        ..RIGHT
+    };
+    let wrapped = Student {
+        joint_of_column: |column| column,
+        row: |row| {
+            let (last, others) = row.split_last().unwrap();
+            [&[*last, 0.0], others].concat()
+        },
+        ..RIGHT
+    };
+    let lost = with(&["weights-shifted-on"]);
+    for (name, seed) in [("adult", 44), ("robot", 45)] {
+        let figure = Figure::builtin(name, turned(seed));
+        for (student, how) in [
+            (&lost, "the last one for none"),
+            (&clamped, "the last one for the last joint, too"),
+            (&wrapped, "the last one for the first joint"),
+        ] {
+            let found = figure.diagnose(&written(&student.skin(&figure), 6));
+            assert_eq!(found.together(), ["weights-shifted-on"], "{found}");
+            assert_eq!(found.mistakes[0].how, how, "{found}");
+        }
+    }
+}

@@ -250,20 +250,6 @@ pub const WRONG: &[Wrong] = &[
     wrong("weights-shifted-on", "columns", |s| {
         s.joint_of_column = |column| column + 2
     }),
-    wrong("weights-shifted-on", "columns", |s| {
-        s.row = |row| {
-            let (last, others) = row.split_last().unwrap();
-            let (before, first) = others.split_last().unwrap();
-            [&[0.0], first, &[before + last]].concat()
-        };
-    }),
-    wrong("weights-shifted-on", "columns", |s| {
-        s.joint_of_column = |column| column;
-        s.row = |row| {
-            let (last, others) = row.split_last().unwrap();
-            [&[*last, 0.0], others].concat()
-        };
-    }),
     wrong("weight-rows-shifted", "rows", |s| {
         s.rows = |rows| {
             let none = vec![0.0; rows[0].len()];
