@@ -1,6 +1,6 @@
 //! What is found out about a mesh, as data.
 
-use super::MOST_TOLERANCE;
+use super::UNSEEN;
 use super::faces::FaceDifference;
 use super::mannequin_words::ToldFor;
 use super::mistake::Mistake;
@@ -51,7 +51,7 @@ pub struct Diagnosis {
     /// In words the mistakes that are in [`Self::same_as`] alone, each once, as they are made there.
     #[serde(skip)]
     pub others: Vec<ToldMistake>,
-    /// Mistakes that by themselves would move no vertex by more than 0.1 %.
+    /// Mistakes that by themselves would move no vertex by more than [`UNSEEN`].
     pub slight: Vec<&'static str>,
     /// Of a mesh that is right, mistakes that give it as well here, each by itself and made in the usual way: the pose or
     /// the character does not show them.
@@ -220,7 +220,7 @@ impl Diagnosis {
         let mut findings = self.findings.iter();
         if self.coarse.is_some_and(|coarse| coarse.may_be_right) {
             Some(NearlyRight::Rounded)
-        } else if self.error_from_exact <= MOST_TOLERANCE {
+        } else if self.error_from_exact <= UNSEEN {
             Some(NearlyRight::Close)
         } else if findings.any(|finding| finding.0.is_placement()) {
             Some(NearlyRight::Placed)

@@ -1,7 +1,7 @@
 //! What is found out about a mesh, held against the exact one.
 
 use super::as_good;
-use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict, all_causes};
+use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, Verdict, all_causes};
 use super::faces::FaceDifference;
 use super::formula::{Formula, VertexOrder};
 use super::mannequin_words::ToldFor;
@@ -95,16 +95,12 @@ impl Findings<'_> {
             let is_same = |known: &[&str]| ids.iter().all(|id| known.contains(id));
             if !is_same(&together) && !found.same_as.iter().any(|known| is_same(known)) {
                 found.same_as.push(ids);
-                let known = |told: &ToldMistake| {
+                for told in other.told() {
                     let mut known = found.mistakes.iter().chain(&found.others);
-                    known.any(|known| known.id == told.id)
-                };
-                let new: Vec<_> = other
-                    .told()
-                    .into_iter()
-                    .filter(|told| !known(told))
-                    .collect();
-                found.others.extend(new);
+                    if known.all(|known| known.id != told.id) {
+                        found.others.push(told);
+                    }
+                }
             }
         }
         found.causes = all_causes(&found.mistakes, &found.same_as);

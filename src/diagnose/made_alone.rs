@@ -96,16 +96,17 @@ impl<'a> MadeAlone<'a> {
             let others = (0..joints).filter(move |&other| other != one);
             others.map(move |other| (one.min(other), one.max(other)))
         });
-        let pairs: Vec<_> = pairs.filter(|&pair| known.insert(pair)).collect();
-        // A joint that moves nothing has no column in an .attach file, as the root, and no number in a skin.
-        let moving: BTreeSet<usize> = (0..self.search.theirs.len())
-            .flat_map(|vertex| self.moving(vertex))
+        // The root has no column in an .attach file, and a joint that is not turned looks as if it had the root's weights:
+        // only joints that move something are tried.
+        let vertices = 0..self.search.theirs.len();
+        let moving: BTreeSet<usize> = vertices.flat_map(|vertex| self.moving(vertex)).collect();
+        let both_move =
+            |(one, other): (usize, usize)| moving.contains(&one) && moving.contains(&other);
+        let pairs: Vec<_> = pairs
+            .filter(|&pair| both_move(pair) && known.insert(pair))
             .collect();
         let mut found = Vec::new();
         for (one, other) in pairs {
-            if !moving.contains(&one) || !moving.contains(&other) {
-                continue;
-            }
             if !self.moves_all_off(|joint| joint == one || joint == other) {
                 continue;
             }

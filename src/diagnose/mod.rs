@@ -93,6 +93,8 @@ const TOLERANCE: f64 = 1e-4;
 /// The same for numbers that were written with fewer digits: what rounding to four digits in all is
 /// off by. Fewer are too few to tell what is wrong.
 const MOST_TOLERANCE: f64 = 1e-3;
+/// Largest distance of a vertex, by the size, up to which nobody sees that a mesh is not the exact one.
+pub const UNSEEN: f64 = 1e-3;
 /// What single precision is off by, by the largest coordinate.
 const SINGLE_PRECISION: f64 = 1e-6;
 /// Errors that are no more than this many times the least one are as good.
@@ -299,7 +301,7 @@ async fn diagnose_vertices(
     }
     Ok(Diagnosis {
         coarse,
-        slight: findings.slight(&explanations, pose, MOST_TOLERANCE * size),
+        slight: findings.slight(&explanations, pose, UNSEEN * size),
         ..findings.explained(&explanations)
     })
 }

@@ -156,7 +156,8 @@ const COARSE_PIS: [(&str, f64); 6] = [
 /// How many units of the last digit that a factor has in words are 1.
 const UNITS_OF_FACTOR: f64 = 1e5;
 
-/// How far from a factor that was worked out from rounded numbers the right one may be.
+/// How far from a factor that was worked out from rounded numbers the right one may be: with three digits after the point it
+/// was 4e-4 away.
 const NEAR_FACTOR: f64 = 1e-3;
 
 /// The factor by the coarse π that is the nearest one, if it is near.

@@ -2,11 +2,10 @@
 
 use super::graded::Graded;
 use super::shares::share_left;
+use crate::diagnose::UNSEEN;
 use crate::io::{RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE, RubricData, TestData, TestKind};
 use std::ops::Range;
 
-/// Largest distance of a vertex, by the size, up to which nobody sees that a mesh is not the exact one.
-pub(super) const UNSEEN: f64 = 1e-3;
 /// How many times that far off a mesh is that is not near the exact one.
 pub(super) const FAR_OFF: f64 = 10.0;
 /// What vertices count for from which on they are nearly all right.

@@ -1,9 +1,8 @@
 //! What mistakes leave of the points of their sections.
 
-use super::by_vertices::UNSEEN;
 use super::graded::{Graded, Outcome};
 use crate::diagnose::{
-    MOVED_AS_A_WHOLE, PICTURE_TURNED, POSE_NOT_APPLIED, TRIANGLES_DIFFER, TRIANGLES_TURNED,
+    MOVED_AS_A_WHOLE, PICTURE_TURNED, POSE_NOT_APPLIED, TRIANGLES_DIFFER, TRIANGLES_TURNED, UNSEEN,
     VERTEX_MISSING, VERTEX_TOO_MANY,
 };
 use crate::io::{

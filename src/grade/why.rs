@@ -1,11 +1,11 @@
 //! Why results have the points that they have, in sentences for who made them.
 
-use super::by_vertices::{FAR_OFF, UNSEEN, by_vertices};
+use super::by_vertices::{FAR_OFF, by_vertices};
 use super::graded::{Graded, Outcome};
 use super::mistake_section::{number, own_section, section_of};
 use super::rubric::{counted, counts_as_mistakes, of_other_pose};
 use super::shares::{Unseen, share_and_reason, share_left};
-use crate::diagnose::{POSE_NOT_APPLIED, of_size};
+use crate::diagnose::{POSE_NOT_APPLIED, UNSEEN, of_size};
 use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
 /// Why a test has not all of its points, in sentences.

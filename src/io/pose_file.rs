@@ -23,10 +23,18 @@ impl PoseFile {
     /// If it is no JSON, or not of this form, or has a name or an index twice, or several poses; one that is
     /// alone among `"poses"` is read.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
-        if matches!(extension_of(bytes), "scene" | "zip") {
-            let message = "expected a pose, found a scene: open it, and save the pose of its character by Pose ⏵ Save Pose";
-            return Err(Diagnostic::new(path, message));
-        }
+        // What is read counts, for a joint of a pose may be called as what tells a scene.
+        Self::read_one(path, bytes).map_err(|error| match extension_of(bytes) {
+            "scene" | "zip" => {
+                let message = "expected a pose, found a scene: open it, and save the pose of its character by \
+                               Pose ⏵ Save Pose";
+                Diagnostic::new(path, message)
+            }
+            _ => error,
+        })
+    }
+
+    fn read_one(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
         let json = Json::parse(path, bytes)?;
         match json.read() {
             Ok(data) => Ok(Self::of(&json, path, data)),

@@ -229,9 +229,9 @@ impl Navigation {
         let mut not_here = blender_keys::NOT_HERE.iter();
         // Space is meant for a button that has the keyboard.
         let has_keyboard = ctx.memory(|memory| memory.focused().is_some());
-        let is_there = |key: &KeyboardShortcut| key.logical_key == Key::Space && has_keyboard;
+        let is_meant = |key: &KeyboardShortcut| key.logical_key != Key::Space || !has_keyboard;
         let not_here =
-            not_here.find(|(key, _)| self == Self::Blender && is_pressed(key) && !is_there(key));
+            not_here.find(|(key, _)| self == Self::Blender && is_pressed(key) && is_meant(key));
         let is_mannequins = look == Look::Mannequin && OF_THE_MANNEQUIN.iter().any(is_plain);
         let is_mannequins = is_mannequins.then_some(WHY_NOTHING);
         not_here.map(|(_, why)| *why).or(is_mannequins)

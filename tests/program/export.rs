@@ -74,6 +74,23 @@ fn a_scene_in_the_place_of_a_pose_is_told_to_be_one_and_how_its_pose_is_had() {
     assert_eq!(ran.code, Some(1));
     assert!(ran.err.ends_with(told), "{}", ran.err);
     assert!(!folder.path().join("out.obj").exists());
+    // A joint may be called as what tells a scene.
+    let skeleton = "0 0 0 -1 # Root\n0 1 0 0 # shapes\n";
+    fs::write(folder.path().join("own.skel"), skeleton).unwrap();
+    fs::copy(folder.path().join("man.obj"), folder.path().join("own.obj")).unwrap();
+    fs::copy(
+        folder.path().join("man.attach"),
+        folder.path().join("own.attach"),
+    )
+    .unwrap();
+    fs::write(
+        folder.path().join("own.json"),
+        r#"{"joints": {"shapes": [0, 0, 90]}}"#,
+    )
+    .unwrap();
+    let arguments = ["export", "own.obj", "--pose", "own.json", "-o", "out.obj"];
+    let ran = editor_in(folder.path(), &arguments);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
 }
 
 #[test]

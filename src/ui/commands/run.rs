@@ -25,6 +25,7 @@ use crate::ui::{
     Action, Ask, CompareAction, CompareMeshAction, GestureStep, HistoryMove, Navigation,
     control_points, posing, view_overlay,
 };
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
@@ -68,6 +69,12 @@ fn to_start(session: &Session, shape: &Shape) -> Vec<Edit> {
         None => Edit::ResetPose(shape.id),
     };
     vec![Edit::SetTransform(shape.id, placement.transform), pose]
+}
+
+/// Indices of the joints of a character.
+fn joints_of(session: &Session, shape: ShapeId) -> Option<Range<usize>> {
+    let character = session.scene().character(shape)?;
+    Some(0..character.character.skeleton().joints().len())
 }
 
 fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
@@ -182,10 +189,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::SelectAll => {
             return Some(Action::View(
                 match posing::posed(session, state.pose.tool) {
-                    Some(shape) => {
-                        let skeleton = session.scene().character(shape)?.character.skeleton();
-                        View::SelectJoints((0..skeleton.joints().len()).collect())
-                    }
+                    Some(shape) => View::SelectJoints(joints_of(session, shape)?.collect()),
                     None => View::SelectAll,
                 },
             ));
@@ -199,15 +203,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             }));
         }
         Command::InvertSelection if let Some(shape) = posing::posed(session, state.pose.tool) => {
-            let joints = 0..session
-                .scene()
-                .character(shape)?
-                .character
-                .skeleton()
-                .joints()
-                .len();
-            let selected = session.selected_joints();
-            let others: Vec<usize> = joints.filter(|joint| !selected.contains(joint)).collect();
+            let is_other = |joint: &usize| !session.selected_joints().contains(joint);
+            let others: Vec<usize> = joints_of(session, shape)?.filter(is_other).collect();
             return Some(Action::View(match others.is_empty() {
                 true => View::SelectJoint(None),
                 false => View::SelectJoints(others),

@@ -12,7 +12,9 @@ pub(in crate::ui) struct LetGo {
     at: Pos2,
     /// The character and the joint.
     pub held: (ShapeId, usize),
+    /// The tool that has turned it.
     tool: Tool,
+    /// The joints that were selected then.
     joints: Vec<usize>,
 }
 
