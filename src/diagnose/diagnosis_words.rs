@@ -181,8 +181,13 @@ impl Diagnosis {
         found.extend(self.findings.iter().map(ToString::to_string));
         found.extend(self.coarse.map(|coarse| coarse.to_string()));
         if let Some(same) = self.faces.same {
+            let few = match same {
+                0 => "none of its triangles is".to_owned(),
+                1 => "only one of its triangles is".to_owned(),
+                _ => format!("only {same} of its triangles are"),
+            };
             found.push(format!(
-                "only {same} of its triangles are the model's: it may be of another model, or have its vertices in another order"
+                "{few} the model's: it may be of another model, or have its vertices in another order"
             ));
         }
         if self.nearly_right() == Some(NearlyRight::ButForFew) {

@@ -1,19 +1,18 @@
 //! What is found out about a mesh, held against the exact one.
 
-use super::as_good;
 use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, Verdict, all_causes};
 use super::faces::FaceDifference;
 use super::formula::{Formula, VertexOrder};
 use super::mannequin_words::ToldFor;
-use super::mistake::{IN_ANY_ORDER, Mistake};
 use super::model::Model;
 use super::placed::Limits;
 use super::regions::regions;
 use super::search::Explanation;
 use super::skin::{Placed, Skinner};
 use super::ways::{Made, formula};
+use super::{AS_GOOD_AS_NONE, POSE_NOT_APPLIED, UNSEEN, as_good};
 use crate::character::Pose;
-use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};
+use crate::compare::{MeshFinding, MeshOptions, compare_meshes};
 use crate::geometry::Mesh;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeSet;
@@ -107,14 +106,37 @@ impl Findings<'_> {
         found
     }
 
+    /// The diagnosis from explanations, of which there is at least one, in the order in which the search has them: the simplest
+    /// are named first.
+    pub(super) fn simplest(&self, mut explanations: Vec<Explanation>, pose: &Pose) -> Diagnosis {
+        // Stable: otherwise the order of the tables decides.
+        let is_rare = |made: &&Made| made.reading.is_rare;
+        explanations.sort_by_key(|it| it.made.iter().filter(is_rare).count());
+        let without_w: Vec<_> = (explanations.iter())
+            .filter_map(Explanation::without_w)
+            .collect();
+        explanations.extend(without_w);
+        // Whatever leaves out weights gives the file's own mesh at rest, where that is asked for, and more does where a pose
+        // turns or moves little. The simplest is that it is that.
+        let at_rest = explanations
+            .iter()
+            .position(|it| it.ids() == [POSE_NOT_APPLIED]);
+        let is_as_good =
+            |it: &Explanation| it.error <= explanations[0].error + AS_GOOD_AS_NONE * self.size;
+        if let Some(at_rest) = at_rest
+            && (pose.is_bind() || is_as_good(&explanations[at_rest]))
+        {
+            explanations[..=at_rest].rotate_right(1);
+        }
+        Diagnosis {
+            slight: self.slight(&explanations, pose, UNSEEN * self.size),
+            ..self.explained(&explanations)
+        }
+    }
+
     /// Mistakes of the explanations that by themselves move no vertex by more than `limit`, in whichever way of those they
     /// are made.
-    pub(super) fn slight(
-        &self,
-        explanations: &[Explanation],
-        pose: &Pose,
-        limit: f64,
-    ) -> Vec<&'static str> {
+    fn slight(&self, explanations: &[Explanation], pose: &Pose, limit: f64) -> Vec<&'static str> {
         let mut slight = BTreeSet::new();
         let mut others = BTreeSet::new();
         for made in explanations.iter().flat_map(|it| &it.made) {
@@ -138,26 +160,6 @@ impl Findings<'_> {
         let mut skinner = Skinner::new(self.model, pose, &formula);
         let mut all = self.exact.iter().enumerate();
         all.all(|(index, exact)| skinner.place(index).distance(exact.at) <= limit)
-    }
-
-    /// Whether the vertices are the exact ones in an order that no importer is known to leave.
-    pub(super) fn in_another_order(&self) -> Option<Explanation> {
-        if self.order != VertexOrder::File {
-            return None;
-        }
-        let exact: Vec<DVec3> = self.exact.iter().map(|placed| placed.at).collect();
-        let from_exact = permutation(&exact, self.theirs, self.tolerance)?;
-        let pairs = from_exact.iter().zip(self.theirs);
-        let distances = pairs.map(|(&index, theirs)| exact[index as usize].distance(*theirs));
-        let made = Made {
-            mistake: Mistake::find("vertices-renumbered")?,
-            reading: &IN_ANY_ORDER,
-        };
-        Some(Explanation {
-            made: vec![made],
-            error: distances.fold(0.0, f64::max),
-            how: None,
-        })
     }
 
     /// Whether the vertex at `index` is not where it is in the bind pose.

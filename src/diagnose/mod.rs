@@ -2,6 +2,7 @@
 //! Mistakes are found by making them: each is a change of the formula, and the one whose mesh agrees is the
 //! one that was made. Nothing here opens a file or a window.
 
+mod any_order;
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
@@ -85,7 +86,6 @@ use precision::Written;
 use search::{Alone, Explanation, Search};
 use std::rc::Rc;
 use vertex_count::Miscount;
-use ways::Made;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
 /// of a mesh of size 1, or computing in single precision, is off by.
@@ -247,7 +247,7 @@ async fn diagnose_vertices(
         let may_be_right = coarse.is_some_and(|coarse| coarse.may_be_right);
         if let Some(limit) = limit.filter(|_| !may_be_right) {
             let rounded = search.of_coordinates_within(limit);
-            (_, explanations) = sought(&rounded, &rounded, &findings, 0.0, pace).await;
+            (_, explanations) = sought(&rounded, &rounded, &findings, limit, pace).await;
         }
     }
     if explanations.is_empty() {
@@ -276,33 +276,20 @@ async fn diagnose_vertices(
         }
         // What is explained whole has nothing that is only near it.
         if found.other_pose.is_none() && found.findings.is_empty() {
+            if order == VertexOrder::File {
+                let reordered = any_order::beside_mistakes(&search, pace).await;
+                if !reordered.is_empty() {
+                    return Ok(findings.simplest(reordered, pose));
+                }
+            }
             alone.extend(search.near_whole_program(pace).await);
             found.nearest = nearest::find(&search, model, pose, order, &alone);
         }
         return Ok(found);
     }
-    // Stable: otherwise the order of the tables decides.
-    let is_rare = |made: &&Made| made.reading.is_rare;
-    explanations.sort_by_key(|it| it.made.iter().filter(is_rare).count());
-    let without_w: Vec<_> = (explanations.iter())
-        .filter_map(Explanation::without_w)
-        .collect();
-    explanations.extend(without_w);
-    // Whatever leaves out weights gives the file's own mesh at rest, where that is asked for, and more does where a pose
-    // turns or moves little. The simplest is that it is that.
-    let at_rest = explanations
-        .iter()
-        .position(|it| it.ids() == [POSE_NOT_APPLIED]);
-    if let Some(at_rest) = at_rest
-        && (pose.is_bind()
-            || explanations[at_rest].error <= explanations[0].error + AS_GOOD_AS_NONE * size)
-    {
-        explanations[..=at_rest].rotate_right(1);
-    }
     Ok(Diagnosis {
         coarse,
-        slight: findings.slight(&explanations, pose, UNSEEN * size),
-        ..findings.explained(&explanations)
+        ..findings.simplest(explanations, pose)
     })
 }
 
@@ -319,8 +306,10 @@ async fn sought(
         order, exact, size, ..
     } = *findings;
     let (alone, mut explanations) = search.singles(pace).await;
-    if explanations.is_empty() {
-        explanations.extend(findings.in_another_order());
+    if explanations.is_empty() && order == VertexOrder::File {
+        let exact: Vec<DVec3> = exact.iter().map(|placed| placed.at).collect();
+        let meshes = (&*exact, findings.theirs);
+        explanations.extend(any_order::of(meshes, findings.tolerance, None));
     }
     if explanations.is_empty() {
         let found = made_alone::find(search, fits, order, exact, size, pace).await;

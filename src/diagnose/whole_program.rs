@@ -129,8 +129,8 @@ async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation>
         if !factor.is_finite() {
             continue;
         }
-        // Rounded numbers lead to a factor that is near the right one.
-        for factor in iter::once(factor).chain(coarse_pi_near(factor)) {
+        // Rounded numbers lead to a factor that is only near the right one.
+        for factor in coarse_pis_from(factor).chain(iter::once(factor)) {
             if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
                 return Some(Explanation {
                     how: Some(told_factor(factor)),
@@ -156,16 +156,12 @@ const COARSE_PIS: [(&str, f64); 6] = [
 /// How many units of the last digit that a factor has in words are 1.
 const UNITS_OF_FACTOR: f64 = 1e5;
 
-/// How far from a factor that was worked out from rounded numbers the right one may be: with three digits after the point it
-/// was 4e-4 away.
-const NEAR_FACTOR: f64 = 1e-3;
-
-/// The factor by the coarse π that is the nearest one, if it is near.
-fn coarse_pi_near(factor: f64) -> Option<f64> {
-    let factors = COARSE_PIS.iter().map(|(_, pi)| pi / PI);
+/// The factors by the coarse πs, the nearest first.
+fn coarse_pis_from(factor: f64) -> impl Iterator<Item = f64> {
+    let mut factors = COARSE_PIS.map(|(_, pi)| pi / PI);
     let away = |other: &f64| (other - factor).abs();
-    let nearest = factors.min_by(|one, other| away(one).total_cmp(&away(other)));
-    nearest.filter(|other| away(other) <= NEAR_FACTOR)
+    factors.sort_by(|one, other| away(one).total_cmp(&away(other)));
+    factors.into_iter()
 }
 
 /// The factor of angles in words, with the coarse π that makes it, if one does.

@@ -4,7 +4,7 @@ use editor_core::character::{Attachments, Character, Influence, Pose};
 use editor_core::diagnose::{Diagnosis, diagnose};
 use editor_core::disk::files;
 use editor_core::geometry::Mesh;
-use editor_core::io::import_any;
+use editor_core::io::{PoseFile, import_any};
 use editor_core::math::Euler;
 use editor_core::scene::ShapeKind;
 use glam::Vec3;
@@ -94,6 +94,14 @@ impl Figure {
     /// A character of our own, called `name`.
     pub fn builtin(name: &str, degrees: impl Fn(usize) -> Vec3) -> Self {
         Self::new(Path::new(&format!("builtin:{name}")), degrees)
+    }
+
+    /// The same with the angles of a pose of ours, but in its place.
+    pub fn posed(name: &str, pose: &str) -> Self {
+        let plain = Self::builtin(name, |_| Vec3::ZERO);
+        let file = PoseFile::open(&files(), Path::new(&format!("builtin:{pose}"))).unwrap();
+        let pose = file.pose_of(plain.character.skeleton()).unwrap();
+        Self::builtin(name, |joint| pose.rotation(joint).degrees())
     }
 
     pub fn pose(&self) -> Pose {

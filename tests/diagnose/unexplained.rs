@@ -258,6 +258,43 @@ fn another_order_that_no_importer_is_known_for_is_told_as_one() {
 }
 
 #[test]
+fn a_mistake_is_named_beside_vertices_in_any_order() {
+    for figure in [adult(), Figure::posed("adult", "adult-walk")] {
+        for (id, student) in [
+            (
+                "euler-zyx",
+                Student {
+                    rotation: |x, y, z| z * y * x,
+                    ..RIGHT
+                },
+            ),
+            (
+                "no-inverse-bind",
+                Student {
+                    product: |t, _| t,
+                    ..RIGHT
+                },
+            ),
+            (
+                "angles-scaled",
+                Student {
+                    to_radians: |degrees| degrees * 3.14 / 180.0,
+                    ..RIGHT
+                },
+            ),
+        ] {
+            let mut theirs = student.skin(&figure);
+            theirs.rotate_left(1000);
+            theirs[..500].reverse();
+            let found = figure.diagnose(&written(&theirs, 6));
+            assert_eq!(found.together(), [id, "vertices-renumbered"], "{found}");
+            assert_eq!(found.mistakes[1].how, "in another order");
+            assert!(found.same_as.is_empty(), "{found}");
+        }
+    }
+}
+
+#[test]
 fn the_search_for_a_cause_grows_in_proportion_to_the_mesh() {
     let noise = |vertices: usize| {
         let mut skel = "0 0 0 -1\n".to_owned();

@@ -73,18 +73,34 @@ fn angles_by_a_coarse_pi_are_named_and_by_a_fine_one_they_are_right() {
 #[test]
 #[expect(clippy::approx_constant, reason = "students write π so")]
 fn angles_by_a_coarse_pi_are_all_that_is_named_where_few_digits_are_written() {
-    let (all, student) = (
-        turned(61),
-        Student {
-            to_radians: |degrees| degrees * 3.14 / 180.0,
+    let all = turned(61);
+    let turned_little = Figure::builtin("adult", |joint| all(joint) * 0.3);
+    // Of numbers with two digits the factor that fits best is 0.99938, and that of 22/7 is nearer to one of 3.142.
+    for (figure, to_radians, how) in [
+        (
+            &turned_little,
+            (|degrees| degrees * 3.14 / 180.0) as fn(f32) -> f32,
+            "each is 0.99949 times as large, as by a π of 3.14",
+        ),
+        (
+            &Figure::posed("adult", "adult-walk"),
+            |degrees| degrees * 3.14 / 180.0,
+            "each is 0.99949 times as large, as by a π of 3.14",
+        ),
+        (
+            &Figure::posed("adult", "adult-sit"),
+            |degrees| degrees * 22.0 / 7.0 / 180.0,
+            "each is 1.0004 times as large, as by a π of 22/7",
+        ),
+    ] {
+        let student = Student {
+            to_radians,
             ..RIGHT
-        },
-    );
-    let figure = Figure::builtin("adult", |joint| all(joint) * 0.3);
-    for digits in [4, 3] {
-        let found = figure.diagnose(&written(&student.skin(&figure), digits));
-        let how = "each is 0.99949 times as large, as by a π of 3.14";
-        assert_named(&found, "angles-scaled", how);
+        };
+        for digits in [4, 3, 2] {
+            let found = figure.diagnose(&written(&student.skin(figure), digits));
+            assert_named(&found, "angles-scaled", how);
+        }
     }
 }
 
@@ -1447,7 +1463,8 @@ fn weights_that_are_not_multiplied_and_a_sum_that_is_divided_are_named() {
 
 #[test]
 #[expect(clippy::approx_constant, reason = "students write π so")]
-fn a_coarse_pi_is_named_beside_another_mistake() {
+fn a_coarse_pi_is_named_beside_another_mistake_by_two_digits_too() {
+    let walking = Figure::posed("adult", "adult-walk");
     for (to_radians, how) in [
         (
             (|degrees| degrees * 3.14 / 180.0) as fn(f32) -> f32,
@@ -1456,15 +1473,15 @@ fn a_coarse_pi_is_named_beside_another_mistake() {
         (|degrees| degrees * 22.0 / 7.0 / 180.0, "by a π of 22/7"),
     ] {
         for id in ["euler-zyx", "weights-shifted", "sign-flipped-y"] {
-            let found = of(
-                &Student {
-                    to_radians,
-                    ..with(&[id])
-                },
-                61,
-            );
-            assert_eq!(found.together(), [id, "angles-scaled"], "{found}");
-            assert_eq!(found.mistakes[1].how, how, "{found}");
+            let student = Student {
+                to_radians,
+                ..with(&[id])
+            };
+            let coarsely = written(&student.skin(&walking), 2);
+            for found in [of(&student, 61), walking.diagnose(&coarsely)] {
+                assert_eq!(found.together(), [id, "angles-scaled"], "{found}");
+                assert_eq!(found.mistakes[1].how, how, "{found}");
+            }
         }
     }
 }

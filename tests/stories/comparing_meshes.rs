@@ -180,7 +180,8 @@ fn an_off_by_one_of_the_weights_is_named_and_its_worst_vertex_found_by_one_click
     diagnose(&mut story);
     text(&story, "weights-shifted:");
     text(&story, "Section 4.");
-    text(&story, "Shown by vertex ");
+    let begins = text(&story, "Show Vertex ");
+    assert!(begins.ends_with(", Where It Begins"), "{begins}");
     let before = story.session().view().camera;
     story.click("Show the Worst Vertex");
     let camera = story.session().view().camera;
@@ -508,14 +509,14 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
     scroll_down(&mut story, pos2(right, formula.y));
     assert_eq!(story.place(&formula_of(&story)), formula);
 
-    let shown = text(&story, "Shown by vertex ");
+    let begins = text(&story, "Show Vertex ");
     story.click(&formula_of(&story));
     assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
     let explained = story.node("Vertex").and_then(Node::numeric_value);
     let explained = explained.expect("the number of a vertex");
     assert!(
-        shown.starts_with(&format!("Shown by vertex {explained} (from 0)")),
-        "{shown}"
+        begins.starts_with(&format!("Show Vertex {explained} at ")),
+        "{begins}"
     );
     assert!(!texts(&story).iter().any(|text| text.starts_with(FORMULA)));
 }

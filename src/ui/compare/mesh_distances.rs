@@ -36,22 +36,25 @@ impl Parts<'_> {
             }
         }
         if let Some(first) = self.shown().cloned() {
-            self.shown_by(ui, &first);
+            self.shown_by(ui, &first, measure.worst_vertex);
         }
     }
 
-    /// The vertex that shows what is wrong, and ways to it and to its formula.
-    fn shown_by(&mut self, ui: &mut Ui, first: &Shown) {
-        let joint = first.joint.as_deref();
-        let at = joint.map_or(String::new(), |joint| format!(", the worst at {joint}"));
-        let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
-        let is_marked = self.chosen.marked == Some(first.vertex);
-        let button = ui.add(Button::new(text).selected(is_marked).wrap());
-        if button
-            .on_hover_text(format!("{first}\nClick to go there"))
-            .clicked()
-        {
-            self.go_to(first.vertex);
+    /// Ways to the vertex that shows where what is wrong begins, if that is not the `worst`, and to its formula.
+    fn shown_by(&mut self, ui: &mut Ui, first: &Shown, worst: Option<usize>) {
+        if worst != Some(first.vertex) {
+            let joint = first.joint.as_deref();
+            let at = joint.map_or(String::new(), |joint| format!(" at {joint}"));
+            let text = format!("Show Vertex {}{at}, Where It Begins", first.vertex);
+            let is_marked = self.chosen.marked == Some(first.vertex);
+            let button = ui.add(Button::new(text).selected(is_marked).wrap());
+            let tip = format!(
+                "Move the camera to the worst vertex of the first joint, from the root on, that is much off, and mark it: \
+                 what the joints below add is not in it\n{first}"
+            );
+            if button.on_hover_text(tip).clicked() {
+                self.go_to(first.vertex);
+            }
         }
         if self.chosen.explains {
             return;
