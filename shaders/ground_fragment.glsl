@@ -44,21 +44,22 @@ float lines(vec2 at, float spacing) {
 }
 
 #ifdef SHADOWS
-// The shadow round a point, averaged over as many pixels as the softness takes up there: nine looks
-// at a version of the picture whose pixels are nearly that large.
-float shadow(float world_per_pixel) {
-    float radius = clamp(softness / world_per_pixel, 1.0, 64.0);
-    float level = log2(radius);
+// The shadow round a point, averaged over as many pixels as the softness takes up there. The flatter the ground is
+// seen, the fewer rows these are: ten looks, side by side, at a version of the picture whose pixels are about as
+// high as that, or a third as wide, so that thin shadows do not blur away among what is before and behind them.
+float shadow(vec2 world_per_pixel) {
+    vec2 radius = clamp(softness / world_per_pixel, 1.0, 64.0);
+    float level = log2(max(radius.y, radius.x / 3.0));
     vec2 size = vec2(textureSize(shadows, 0));
     float sum = 0.0;
-    for (int y = -1; y <= 1; y++) {
-        for (int x = -1; x <= 1; x++) {
-            vec2 offset = vec2(float(x), float(y)) * 0.75 * radius;
-            float weight = float((2 - abs(x)) * (2 - abs(y)));
+    for (int x = -2; x <= 2; x++) {
+        float weight = float(3 - abs(x));
+        for (int y = -1; y <= 1; y += 2) {
+            vec2 offset = vec2(0.375 * float(x), 0.5 * float(y)) * radius;
             sum += weight * textureLod(shadows, (gl_FragCoord.xy + offset) / size, level).r;
         }
     }
-    return sum / 16.0;
+    return sum / 18.0;
 }
 #endif
 
@@ -73,8 +74,8 @@ void main() {
     float pool = lit * (1.0 - smoothstep(0.0, 0.3, away));
     float shade = 0.0;
 #ifdef SHADOWS
-    vec2 along_row = dFdx(on_ground);
-    shade = darkness * fade * shadow(max(length(along_row), 1e-6));
+    vec2 world_per_pixel = vec2(length(dFdx(on_ground)), length(dFdy(on_ground)));
+    shade = darkness * fade * shadow(max(world_per_pixel, 1e-6));
 #endif
     if (max(max(coverage, shade), max(pool, opaque)) <= 0.004) {
         discard;

@@ -67,6 +67,34 @@ fn a_shape_above_the_ground_darkens_it_away_from_the_light_and_softly() {
 }
 
 #[test]
+fn a_thin_shadow_that_is_seen_flat_is_as_dark_in_pictures_of_every_size() {
+    let mut view = studio();
+    (view.camera.phi, view.camera.radius) = (0.1, 8.0);
+    view.camera.target = Vec3::Y;
+    let mut rod = cube_at(1.0);
+    let id = rod.shapes()[0].id;
+    let placement = &mut rod.shape_mut(id).expect("the cube").placement;
+    placement.transform.scale = Vec3::new(3.0, 0.1, 0.1);
+    // The middle of the rod is one unit above the ground.
+    let shadow = Vec3::new(0.45, 0.0, -0.55);
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let sizes = [480, 500, 550, 600, 650, 720, 1000].map(|width| (width, width * 3 / 4));
+        let darker = sizes.map(|size| {
+            let mut drawn =
+                |scene: &Scene| draw_scene(&mut renderer, gl, size, scene, &view, Marks::default());
+            let (empty, picture) = (drawn(&Scene::new()), drawn(&rod));
+            let all = Vec2::new(size.0 as f32, size.1 as f32);
+            let at = view.camera.pixel(shadow, all).expect("in view");
+            let (x, y) = (at.x as usize, at.y as usize);
+            empty.at(x, y)[0].saturating_sub(picture.at(x, y)[0])
+        });
+        let (least, most) = (darker.iter().min(), darker.iter().max());
+        assert!(least > Some(&20) && most < Some(&40), "{darker:?}");
+    });
+}
+
+#[test]
 fn the_shadow_goes_with_the_ground_and_other_looks_have_none() {
     on_each_backend(|gl| {
         // Seen from straight above, the shape hides none of its shadow.
