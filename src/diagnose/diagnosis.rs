@@ -51,6 +51,8 @@ pub struct Diagnosis {
     /// In words the mistakes that are in [`Self::same_as`] alone, each once, as they are made there.
     #[serde(skip)]
     pub others: Vec<ToldMistake>,
+    /// Joints each of which would give the mesh as well if it alone were not turned.
+    pub not_turned: Vec<String>,
     /// Mistakes that by themselves would move no vertex by more than [`UNSEEN`].
     pub slight: Vec<&'static str>,
     /// Of a mesh that is right, mistakes that give it as well here, each by itself and made in the usual way: the pose or
@@ -156,8 +158,7 @@ impl ToldMistake {
 /// A vertex that shows what is wrong.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Shown {
-    /// Name of the first joint, from the root on, that moves vertices that are off; `None` if no
-    /// joint does.
+    /// Name of the first joint, from the root on, whose own vertices are much off; `None` if vertices without weights are.
     pub joint: Option<String>,
     /// Its index.
     pub joint_index: Option<usize>,

@@ -219,7 +219,22 @@ impl Diagnosis {
                 }
             }
         }
-        Ok(())
+        match self.without_joint() {
+            Some(pose) => write!(f, "\n  or       {pose}"),
+            None => Ok(()),
+        }
+    }
+
+    /// In words of which pose the mesh would be right as well, if it only lacks a joint of the one that was given.
+    pub fn without_joint(&self) -> Option<String> {
+        let (last, others) = self.not_turned.split_last()?;
+        let joints = match others {
+            [] => last.clone(),
+            _ => format!("{} or {last}", others.join(", ")),
+        };
+        Some(format!(
+            "it is right, but of a pose in which {joints} is not turned"
+        ))
     }
 
     fn fmt_unexplained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

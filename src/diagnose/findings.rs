@@ -5,6 +5,9 @@ use super::faces::FaceDifference;
 use super::formula::{Formula, VertexOrder};
 use super::mannequin_words::ToldFor;
 use super::model::Model;
+use super::not_turned::NotTurned;
+use super::of_angles::ROOT_ANGLES_MISSING;
+use super::other_pose::OtherPose;
 use super::placed::Limits;
 use super::regions::regions;
 use super::search::Explanation;
@@ -19,6 +22,8 @@ use std::collections::BTreeSet;
 
 /// Part of the largest error from which on much is off.
 const MUCH: f64 = 0.25;
+/// Part of the largest weight that a joint has from which on a vertex is its own.
+const OWN: f32 = 0.9;
 
 /// A mesh beside the exact one.
 pub(super) struct Findings<'a> {
@@ -58,6 +63,7 @@ impl Findings<'_> {
             mistakes: Vec::new(),
             same_as: Vec::new(),
             others: Vec::new(),
+            not_turned: Vec::new(),
             slight: Vec::new(),
             unseen: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
@@ -72,6 +78,33 @@ impl Findings<'_> {
             coarse: None,
             told_for: ToldFor::default(),
         }
+    }
+
+    /// The diagnosis of the exact mesh of another pose.
+    pub(super) fn of_other_pose(&self, other: OtherPose) -> Diagnosis {
+        Diagnosis {
+            regions: self.regions(),
+            other_pose: Some(other),
+            ..self.diagnosis(Verdict::OtherPose)
+        }
+    }
+
+    /// The joints without whose rotation the mesh is given as well as by the best of the explanations. That the root has
+    /// none is a mistake by itself.
+    pub(super) fn names_of(
+        &self,
+        joints: &[NotTurned],
+        explanations: &[Explanation],
+    ) -> Vec<String> {
+        let errors = explanations.iter().map(|it| it.error);
+        let enough = as_good(errors.fold(f64::INFINITY, f64::min), self.size);
+        let names_root = (explanations.iter()).any(|it| it.ids() == [ROOT_ANGLES_MISSING.id]);
+        let is_told = |joint: &&NotTurned| {
+            let is_root = self.model.skeleton().roots().contains(&joint.joint);
+            joint.error <= enough && !(is_root && names_root)
+        };
+        let told = joints.iter().filter(is_told);
+        told.filter_map(|joint| self.name(joint.joint)).collect()
     }
 
     /// The diagnosis from explanations, of which there is at least one, in the order in which they
@@ -179,26 +212,45 @@ impl Findings<'_> {
         self.model.strongest(source.position).unwrap_or(none)
     }
 
+    /// The largest weight of the vertex at `index`; 0 without any.
+    fn weight_of(&self, index: usize) -> f32 {
+        let source = self.model.source(self.order, index);
+        let weights = self.model.influences(source.weights).iter();
+        weights.map(|one| one.weight).fold(0.0, f32::max)
+    }
+
     fn name(&self, joint: usize) -> Option<String> {
         let joints = self.model.skeleton().joints();
         joints.get(joint).map(|joint| joint.name.clone())
     }
 
-    /// The vertex farthest off of the first joint, from the root on, where much is off: what joints below move a little
-    /// shows little of the mistake.
+    /// The vertex farthest off of the first joint, from the root on, where much is off, among those that are its own: what
+    /// joints below move a little, or nearly as much, shows little of the mistake.
     fn first(&self) -> Option<Shown> {
-        let mut worst: Vec<Option<usize>> = vec![None; self.model.skeleton().joints().len() + 1];
+        let mut strongest = vec![0.0_f32; self.model.skeleton().joints().len() + 1];
         for index in 0..self.theirs.len() {
+            let strongest = &mut strongest[self.joint_of(index)];
+            *strongest = strongest.max(self.weight_of(index));
+        }
+        let is_own = |index: usize| self.weight_of(index) >= OWN * strongest[self.joint_of(index)];
+        self.first_of(is_own).or_else(|| self.first_of(|_| true))
+    }
+
+    /// The same among vertices that are `such` ones; `None` if much is off at none of them.
+    fn first_of(&self, is_such: impl Fn(usize) -> bool) -> Option<Shown> {
+        let mut worst: Vec<Option<usize>> = vec![None; self.model.skeleton().joints().len() + 1];
+        let mut most = 0.0_f64;
+        for index in (0..self.theirs.len()).filter(|&index| self.is_off(index)) {
+            most = most.max(self.distances[index]);
             let worst = &mut worst[self.joint_of(index)];
             let is_worse = |known: usize| self.distances[index] > self.distances[known];
-            if self.is_off(index) && worst.is_none_or(is_worse) {
+            if is_such(index) && worst.is_none_or(is_worse) {
                 *worst = Some(index);
             }
         }
         let none = worst.len() - 1;
         let off = |vertex: usize| self.distances[vertex];
-        let most = worst.iter().flatten().map(|&vertex| off(vertex));
-        let enough = MUCH * most.fold(0.0, f64::max);
+        let enough = MUCH * most;
         let mut joints = self.model.by_depth.iter().copied().chain([none]);
         let (joint, vertex) = joints.find_map(|joint| {
             let vertex = worst[joint].filter(|&vertex| off(vertex) >= enough);

@@ -23,6 +23,7 @@ mod mistakes;
 mod model;
 mod nearest;
 mod no_numbers;
+mod not_turned;
 mod of_angles;
 mod of_collada;
 mod of_product;
@@ -235,10 +236,21 @@ async fn diagnose_vertices(
         rounding: of_numbers,
         most: MOST_TOLERANCE * size,
     };
-    // That the right mesh has other axes is simpler than two mistakes that come to the same.
+    // That the right mesh has other axes, or is of a pose that lacks a joint, is simpler than two mistakes that come to the
+    // same.
     let are_two = explanations.iter().any(|it| it.made.len() > 1);
     if are_two && findings.has_other_axes(theirs, limits) {
         explanations.clear();
+    }
+    let not_turned = match explanations.is_empty() {
+        true => Vec::new(),
+        false => not_turned::find(&search, order, pace).await,
+    };
+    if are_two && !not_turned.is_empty() {
+        let limits = (tolerance, size);
+        if let Some(other) = other_pose::find(model, pose, order, &points, limits, pace).await {
+            return Ok(findings.of_other_pose(other));
+        }
     }
     let mut coarse = None;
     if explanations.is_empty() {
@@ -267,15 +279,16 @@ async fn diagnose_vertices(
                 }
             }
         }
+        // What is explained whole has nothing that is only near it.
         if found.findings.is_empty() {
             let limits = (tolerance, size);
-            found.other_pose = other_pose::find(model, pose, order, &points, limits, pace).await;
-            if found.other_pose.is_some() {
-                found.verdict = Verdict::OtherPose;
+            let other = other_pose::find(model, pose, order, &points, limits, pace).await;
+            if let Some(other) = other {
+                return Ok(Diagnosis {
+                    coarse,
+                    ..findings.of_other_pose(other)
+                });
             }
-        }
-        // What is explained whole has nothing that is only near it.
-        if found.other_pose.is_none() && found.findings.is_empty() {
             if order == VertexOrder::File {
                 let reordered = any_order::beside_mistakes(&search, pace).await;
                 if !reordered.is_empty() {
@@ -289,6 +302,7 @@ async fn diagnose_vertices(
     }
     Ok(Diagnosis {
         coarse,
+        not_turned: findings.names_of(&not_turned, &explanations),
         ..findings.simplest(explanations, pose)
     })
 }

@@ -76,6 +76,49 @@ fn of_one_joint_that_is_turned_otherwise_this_one_alone_is_told() {
 }
 
 #[test]
+fn a_joint_that_was_not_turned_is_told_before_two_mistakes_that_come_to_the_same() {
+    let figure = Figure::builtin("adult", |_| Vec3::ZERO);
+    let joints = figure.character.skeleton().joints();
+    let posed = |turned: &[(&str, [f32; 3])]| {
+        let mut pose = Pose::new();
+        for (name, degrees) in turned {
+            let joint = joints.iter().position(|joint| joint.name == *name);
+            let rotation = Euler::from_degrees(Vec3::from(*degrees));
+            pose.set_joint_transform(joint.expect("the joint"), rotation);
+        }
+        pose
+    };
+    let (leg, elbow) = (
+        ("Left leg", [30.0, 22.5, 0.0]),
+        ("Left elbow", [4.9, -18.6, 143.9]),
+    );
+    let expected = posed(&[leg, elbow]);
+    // Weights that are shifted by one joint, of joints in another order, give the same.
+    let found = figure.diagnose_in(&expected, &figure.character.skin_pose(&posed(&[leg])));
+    let other = found.other_pose.as_ref().expect("a pose");
+    let told: Vec<&str> = other.joints.iter().map(|joint| &*joint.joint).collect();
+    assert_eq!(told, ["Left elbow"], "{found}");
+
+    // One mistake gives it, too: both are told.
+    let found = figure.diagnose_in(&expected, &figure.character.skin_pose(&posed(&[elbow])));
+    assert_eq!(found.causes, ["joints-not-reached"], "{found}");
+    assert_eq!(found.not_turned, ["Left leg"]);
+    let text = found.to_string();
+    let or = "\n  or       it is right, but of a pose in which Left leg is not turned";
+    assert!(text.ends_with(or), "{text}");
+
+    // That the root is not turned is a mistake by itself.
+    let root = ("Root", [0.0, 40.0, 0.0]);
+    let expected = posed(&[root, leg, elbow]);
+    let found = figure.diagnose_in(
+        &expected,
+        &figure.character.skin_pose(&posed(&[leg, elbow])),
+    );
+    assert!(found.causes.contains(&"root-angles-missing"), "{found}");
+    assert_eq!(found.not_turned, [""; 0]);
+}
+
+#[test]
 fn a_joint_that_is_turned_by_a_hair_is_told_alone_and_with_digits_that_show_it() {
     let mut figure = Figure::builtin("adult", |_| Vec3::ZERO);
     let joint = |name: &str| {

@@ -5,7 +5,9 @@ use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, Student, Weights, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
-use editor_core::diagnose::{DiagnoseError, NearlyRight, Verdict, diagnose};
+use editor_core::diagnose::{
+    DiagnoseError, Formula, Mistake, NearlyRight, Verdict, diagnose, skin_by,
+};
 use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
 use glam::{Vec3, Vec3Swizzles};
@@ -188,6 +190,32 @@ fn of_several_joints_that_are_off_the_one_next_to_the_root_shows_it() {
         .unwrap();
     assert_eq!(first.error, region.worst);
     assert_eq!(found.regions.len(), 3, "{found}");
+}
+
+#[test]
+fn a_joint_is_where_it_begins_only_if_its_own_vertices_are_off_and_not_what_a_joint_below_moves_nearly_as_much()
+ {
+    // A neck and a jaw, and vertices that both move, the neck a little more.
+    let mut obj = String::new();
+    let mut attach = String::new();
+    for vertex in 0..60 {
+        let [x, y, z] = [7, 11, 13].map(|step| (vertex * step % 61) as f32 / 61.0);
+        obj += &format!("v {x} {y} {}\n", z + 0.5);
+        attach += ["1 0\n", "0.51 0.49\n", "0 1\n"][vertex % 3];
+    }
+    let skel = "0 0 0 -1 # Root\n0 1 0 0 # Neck\n0 0.2 0.1 1 # Jaw\n";
+    let body = character(skel, &attach, &(obj + "f 1 2 3\n"));
+    let mut pose = Pose::new();
+    pose.set_joint_transform(2, Euler::from_degrees(Vec3::new(3.3, -6.8, 24.7)));
+    let transposed = Mistake::find("rotation-transposed").unwrap();
+    let mut formula = Formula::default();
+    (transposed.readings[0].make)(&mut formula);
+    let theirs = skin_by(&body, &pose, &formula);
+    let theirs = Mesh::new(theirs.positions, body.bind_mesh().triangles.clone());
+    let found = diagnose(&body, &pose, &theirs).unwrap();
+    assert!(found.causes.contains(&transposed.id), "{found}");
+    let first = found.first.as_ref().unwrap();
+    assert_eq!(first.joint.as_deref(), Some("Jaw"), "{found}");
 }
 
 #[test]

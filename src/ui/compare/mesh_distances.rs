@@ -49,8 +49,8 @@ impl Parts<'_> {
             let is_marked = self.chosen.marked == Some(first.vertex);
             let button = ui.add(Button::new(text).selected(is_marked).wrap());
             let tip = format!(
-                "Move the camera to the worst vertex of the first joint, from the root on, that is much off, and mark it: \
-                 what the joints below add is not in it\n{first}"
+                "Move the camera to the worst of the vertices that the first joint, from the root on, moves nearly alone and \
+                 much off, and mark it: what the joints below add is not in it\n{first}"
             );
             if button.on_hover_text(tip).clicked() {
                 self.go_to(first.vertex);

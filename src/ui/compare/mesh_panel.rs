@@ -220,6 +220,9 @@ impl Parts<'_> {
                 }
                 let text = format!("That explains {} to within {off}.", self.compare.name);
                 say(ui, &text, palette.weak);
+                if let Some(pose) = diagnosis.without_joint() {
+                    say(ui, &format!("Or {pose}."), palette.text);
+                }
                 if let Some(coarse) = &diagnosis.coarse {
                     say(ui, &sentence(&coarse.beside_mistakes()), palette.text);
                 }
