@@ -4,6 +4,7 @@
 use crate::compare::Area;
 use crate::geometry::Picture;
 use crate::ui::{FigureOff, PageFigure};
+use std::ops::Range;
 
 /// Background of the page's view.
 const TEAL: [u8; 3] = [0, 95, 95];
@@ -18,6 +19,11 @@ const SOLID: usize = 7;
 const LITTLE: f64 = 0.002;
 /// Pixels from one that stands for those around it to the next.
 const APART: u32 = 3;
+
+/// Share of the width at either side of a picture in which its horizon is looked for, and by how much of the width the two
+/// may differ in height where it is level.
+const SIDE: usize = 8;
+const LEVEL: f64 = 0.005;
 
 /// What a pixel of a picture in the page's look is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +41,7 @@ impl Part {
         let color = [red, green, blue];
         let low = red.min(green).min(blue);
         let is_gray = red.max(green).max(blue) - low <= NOISE;
-        let is_teal = color.iter().zip(TEAL).all(|(a, b)| a.abs_diff(b) <= NOISE);
+        let is_teal = is_of_sky(color);
         let is_red = red >= 128 && green.max(blue) < red / 3;
         let is_cyan = red < 64 && green.min(blue) > 128;
         if is_gray || is_teal {
@@ -46,6 +52,10 @@ impl Part {
             Self::Mesh
         }
     }
+}
+
+fn is_of_sky(color: [u8; 3]) -> bool {
+    color.iter().zip(TEAL).all(|(a, b)| a.abs_diff(b) <= NOISE)
 }
 
 /// Where the figure in `ours` is not the one in `page`, of the same size, but for its edges and what lines of bones cover;
@@ -80,6 +90,7 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     let all = page.area_around(ours_off.iter().chain(&page_off).copied());
     Some(PageFigure {
         area: page.area_around(figure)?,
+        is_slanted: page.is_slanted(),
         off: all.map(|area| FigureOff {
             area,
             ours: page.spread(&ours_off),
@@ -99,6 +110,33 @@ struct FigureIn<'a> {
 impl FigureIn<'_> {
     fn is_mesh(&self, at: usize) -> bool {
         Part::of(self.pixels[at]) == Part::Mesh
+    }
+
+    /// Whether the horizon is higher on one side than on the other. Lines of bones and single parts of a figure before it do
+    /// not count.
+    fn is_slanted(&self) -> bool {
+        let side = self.width / SIDE;
+        let heights = |columns: Range<usize>| -> Option<f64> {
+            let mut heights: Vec<usize> = columns.filter_map(|x| self.horizon_in(x)).collect();
+            heights.sort_unstable();
+            heights.get(heights.len() / 2).map(|&height| height as f64)
+        };
+        let sides = [0..side, self.width - side..self.width].map(heights);
+        let [Some(left), Some(right)] = sides else {
+            return false;
+        };
+        (left - right).abs() > (LEVEL * self.width as f64).max(1.0)
+    }
+
+    /// The row in which the sky ends in a column, if it begins and ends there.
+    fn horizon_in(&self, column: usize) -> Option<usize> {
+        let is_of_sky = |row: usize| {
+            let [red, green, blue, _] = self.pixels[row * self.width + column];
+            is_of_sky([red, green, blue])
+        };
+        (0..self.height)
+            .find(|&row| !is_of_sky(row))
+            .filter(|&row| row > 0)
     }
 
     /// Whether it is the mesh and not the edge of a line, whose colors are mixed with those behind it.
@@ -186,7 +224,6 @@ impl FigureIn<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::ops::Range;
 
     #[test]
     fn figures_agree_whatever_is_behind_them_and_not_where_a_part_is_elsewhere() {
@@ -220,5 +257,29 @@ mod tests {
         assert_eq!(off(&page, &elsewhere), "17,6,2,13".parse().ok());
         let without = picture(0..0, TEAL);
         assert!(off(&page, &without).is_some() && off(&without, &page).is_some());
+    }
+
+    #[test]
+    fn a_horizon_is_slanted_that_is_higher_on_one_side() {
+        let slanted = |rise: usize| {
+            let pixels = (0..400 * 60).flat_map(|at| {
+                let (x, y) = (at % 400, at / 400);
+                let is_figure = (190..210).contains(&x) && (10..50).contains(&y);
+                let is_sky = y < 20 + rise * x / 400;
+                let [red, green, blue] = match (is_figure, is_sky) {
+                    (true, _) => [200, 120, 40],
+                    (_, true) => TEAL,
+                    _ => [90; 3],
+                };
+                [red, green, blue, 255]
+            });
+            let picture = Picture {
+                width: 400,
+                height: 60,
+                rgba: pixels.collect(),
+            };
+            compare_figures(&picture, &picture).unwrap().is_slanted
+        };
+        assert!(!slanted(0) && !slanted(2) && slanted(4) && slanted(30));
     }
 }

@@ -592,6 +592,42 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
 }
 
 #[test]
+fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() {
+    for (shot, is_slanted) in [
+        ("robot_start_camera", false),
+        ("robot_rest", true),
+        ("robot_arm_dragged", true),
+    ] {
+        let shot = reference(&format!("mannequin/shots/{shot}.png"));
+        let robot = reference("mannequin/robot.dae");
+        let (Some(shot), Some(robot)) = (shot, robot) else {
+            return;
+        };
+        let mut host = MemoryHost::default();
+        for (name, path) in [("page.png", shot), ("robot.dae", robot)] {
+            let bytes = std::fs::read(path).unwrap();
+            host.files.insert(name.into(), bytes);
+        }
+        let mut story = Story::start_at(host, &["robot.dae"]);
+        story.key(Key::F8);
+        story.choose("page.png");
+        judge(&mut story);
+        let told = [
+            "The horizon of A is slanted",
+            "No single cause",
+            "The figure agrees",
+        ];
+        let told = told.map(|words| has_text(&story, words));
+        assert_eq!(
+            told,
+            [is_slanted, false, !is_slanted],
+            "{:?}",
+            texts(&story)
+        );
+    }
+}
+
+#[test]
 fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges() {
     let shot = reference("mannequin/shots/robot_start_camera.png");
     let robot = reference("mannequin/robot.dae");

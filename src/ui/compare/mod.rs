@@ -92,6 +92,8 @@ pub struct CompareReport {
 pub struct PageFigure {
     /// The area round the figure in either.
     pub area: Area,
+    /// Whether the camera of the screenshot was rolled, so that no view from a level one matches it.
+    pub is_slanted: bool,
     /// What differs of it; `None` if the figures agree.
     pub off: Option<FigureOff>,
 }

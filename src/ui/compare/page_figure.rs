@@ -16,9 +16,12 @@ const ALWAYS: &str = "A is the Virtual Mannequin's page, which has noise in its 
                                  bones: these always differ.";
 
 /// What to do where nothing is in its place.
-const ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where \
-                                    the page's was: Home twice leads to where it starts. A page with a slanted horizon cannot be \
-                                    matched, for B's camera keeps level.";
+const ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where the page's \
+                         was: Home twice leads to where it starts.";
+
+/// Why a screenshot cannot be compared.
+pub(super) const SLANTED: &str = "The horizon of A is slanted, for the page's camera rolls when it is dragged. B's keeps level, so that \
+                                  no view of it can match: compare a screenshot that is taken before the page's camera is turned.";
 
 /// Share of the box round a figure that differs, where no limbs explain it, from which on the camera may be what is turned:
 /// a drag over a tenth of the window made it 64 %, and a hand that is too small for a limb less than 1 %.

@@ -308,6 +308,13 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
             let figure = of_page.filter(|figure| figure.is_elsewhere == is_first);
             figure.map(FigureTold::hint)
         });
+        let is_slanted = report
+            .page_figure
+            .as_ref()
+            .is_some_and(|page| page.is_slanted);
+        if is_slanted && look == Look::Mannequin && !report.measuring {
+            return say(ui, page_figure::SLANTED, palette.strong);
+        }
         if let Some(hint) = first.filter(|_| !report.measuring) {
             say(ui, hint, palette.strong);
         }
