@@ -5,10 +5,10 @@ use super::mesh_comparison::{MeshComparison, TheirMesh};
 use super::running::Program;
 use super::{Host, Purpose};
 use crate::diagnose::{NoNumbers, may_be_of, measure};
-use crate::editor::Severity;
+use crate::editor::{Severity, View};
 use crate::geometry::Mesh;
 use crate::io::{self, Files};
-use crate::scene::{ShapeId, SkinningMethod};
+use crate::scene::{Camera, ShapeId, SkinningMethod};
 use crate::ui::CompareMeshAction;
 use glam::{Mat4, Vec3};
 use std::path::Path;
@@ -150,13 +150,16 @@ impl Program {
             self.tell(Severity::Info, text);
         }
         self.end_comparison();
-        let shown = self.mesh_comparison.take().map(|before| before.shown);
-        if shown.is_none() {
+        let before = self.mesh_comparison.take();
+        if before.is_none() {
             self.closer_due = Some(shape);
         }
         let opened = self.session.opened();
         let mut comparison = MeshComparison::new(opened, shape, path.to_owned(), theirs);
-        comparison.shown = shown.unwrap_or_default();
+        if let Some(before) = before {
+            comparison.shown = before.shown;
+            comparison.moved_camera = before.moved_camera;
+        }
         self.mesh_comparison = Some(comparison);
     }
 
@@ -192,7 +195,24 @@ impl Program {
                     comparison.shown = shown;
                 }
             }
-            CompareMeshAction::Close => self.mesh_comparison = None,
+            CompareMeshAction::LookFrom(camera) => self.look_for_comparison(camera),
+            CompareMeshAction::Close => self.end_mesh_comparison(),
+        }
+    }
+
+    /// Moves the camera for the comparison with a mesh.
+    pub(super) fn look_for_comparison(&mut self, camera: Camera) {
+        if let Some(comparison) = &mut self.mesh_comparison {
+            comparison.move_camera(self.session.view().camera, camera);
+        }
+        self.session.look(View::SetCamera(camera));
+    }
+
+    /// Ends the comparison with a mesh, and goes back to where the view was before it, unless it was moved by hand since.
+    pub(super) fn end_mesh_comparison(&mut self) {
+        if let Some(comparison) = self.mesh_comparison.take() {
+            let camera = comparison.camera_after(self.session.view().camera);
+            self.session.look(View::SetCamera(camera));
         }
     }
 

@@ -82,7 +82,7 @@ impl Program {
         } else {
             return false;
         }
-        self.session.look(View::SetCamera(camera));
+        self.look_for_comparison(camera);
         true
     }
 }

@@ -18,7 +18,7 @@ impl Program {
     pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
-        self.mesh_comparison = None;
+        self.end_mesh_comparison();
         let studio = Backdrop::of_studio(&reference);
         let of_page = view_of_page(&reference);
         let is_cut = of_page.is_some();

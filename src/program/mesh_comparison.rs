@@ -10,7 +10,9 @@ use crate::editor::Session;
 use crate::geometry::{Mesh, SharedMesh};
 use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
 use crate::revision::Revision;
-use crate::scene::{EvaluatedGeometry, EvaluatedShape, ShapeId, SkinningMethod, VertexNumbers};
+use crate::scene::{
+    Camera, EvaluatedGeometry, EvaluatedShape, ShapeId, SkinningMethod, VertexNumbers,
+};
 use crate::ui::{CompareMeshView, Legend, MeshesShown};
 use glam::Vec3;
 use std::path::{Path, PathBuf};
@@ -50,6 +52,8 @@ pub(super) struct MeshComparison {
     /// The search for the mistake, while it is under way.
     running: Option<Search>,
     diagnosis: Option<(Revision, Result<Diagnosis, DiagnoseError>)>,
+    /// The camera before it was moved for the comparison, and where it was moved to.
+    pub(super) moved_camera: Option<(Camera, Camera)>,
 }
 
 /// A mesh as it was read.
@@ -105,6 +109,22 @@ impl MeshComparison {
             legend: Legend::default(),
             running: None,
             diagnosis: None,
+            moved_camera: None,
+        }
+    }
+
+    /// Keeps that the camera is moved for the comparison, `from` where it is.
+    pub fn move_camera(&mut self, from: Camera, to: Camera) {
+        let before = self.camera_after(from);
+        self.moved_camera = Some((before, to));
+    }
+
+    /// Camera that the view goes back to when the comparison ends with `camera`: the one before it was moved for the
+    /// comparison, unless it was moved otherwise since.
+    pub fn camera_after(&self, camera: Camera) -> Camera {
+        match self.moved_camera {
+            Some((before, moved)) if moved == camera => before,
+            _ => camera,
         }
     }
 

@@ -9,6 +9,8 @@ use egui::{FontId, Rect, TextStyle, Ui, pos2, vec2};
 /// So many levels are indented by so many points each; deeper ones no further: names need the room,
 /// but what hangs on what is to be seen, too.
 const INDENTS: [(usize, f32); 3] = [(8, 4.0), (8, 2.0), (32, 1.0)];
+/// The least part of it, where names need the room.
+const LEAST_INDENT: f32 = 0.5;
 const ARROW: f32 = 12.0;
 const RESET: f32 = 14.0;
 const GAP: f32 = 2.0;
@@ -24,38 +26,65 @@ pub(super) const MANY: usize = 512;
 pub(super) struct Columns {
     width: f32,
     field: f32,
+    /// By how much rows are indented, of what [`INDENTS`] say.
+    indent: f32,
     /// Number of bytes at the start of every name that say nothing, because all names share them.
     prefix: usize,
 }
 
 impl Columns {
-    /// Fields as wide as the longest name leaves room for. A name that is too long even for the
-    /// narrowest fields loses its middle, so that each joint keeps to one line.
+    /// Fields as wide as the longest name leaves room for. Where a name is too long even for the narrowest fields, all are
+    /// indented less; one that is still too long loses its middle, so that each joint keeps to one line.
     pub(super) fn new(ui: &Ui, skeleton: &SkeletalModel, rows: &[Row]) -> Self {
         let width = ui.available_width();
         let prefix = common_prefix(skeleton);
         let font = font(ui);
         let measured = if rows.len() > MANY { &[] } else { rows };
-        let name = |row: &Row| {
+        let names = measured.iter().map(|row| {
             let name = &skeleton.joints()[row.joint].name;
-            name_left(row) + text_width(ui, &name[prefix..], &font)
-        };
+            (row.depth, text_width(ui, &name[prefix..], &font))
+        });
         let is_root = |row: &&Row| skeleton.joints()[row.joint].parent.is_none();
-        let offset = |row: &Row| offset_left(row) + text_width(ui, OFFSET, &font);
+        let offset = |row: &Row| (row.depth + 1, text_width(ui, OFFSET, &font));
         let offsets = measured.iter().filter(is_root).map(offset);
-        let longest = measured.iter().map(name).chain(offsets);
-        let longest = longest.fold(0.0, f32::max);
-        let room = if measured.is_empty() {
+        let labels: Vec<(usize, f32)> = names.chain(offsets).collect();
+        let room_beside = |field: f32| width - RESET - 4.0 * GAP - 3.0 * field;
+        let least = room_beside(*FIELD.start());
+        // What has no room even so, and what is not indented, gains nothing by it.
+        let fitting = labels
+            .iter()
+            .map(|&(depth, text)| (least - ARROW - text) / indent(depth));
+        let indent_by = fitting
+            .filter(|part| *part >= LEAST_INDENT)
+            .fold(1.0, f32::min);
+        let label = |(depth, text): &(usize, f32)| indent(*depth) * indent_by + ARROW + text;
+        let longest = labels.iter().map(label).fold(0.0, f32::max);
+        let room = if labels.is_empty() {
             0.0
         } else {
-            width - longest - RESET - 4.0 * GAP
+            room_beside(0.0) - longest
         };
         let field = (room / 3.0).floor().clamp(*FIELD.start(), *FIELD.end());
         Self {
             width,
             field,
+            indent: indent_by,
             prefix,
         }
+    }
+
+    /// Left edge of the name within a row.
+    pub(super) fn name_left(&self, row: &Row) -> f32 {
+        self.left(row.depth)
+    }
+
+    /// Left edge of [`OFFSET`] within the row below a root: that of the names of the root's children.
+    pub(super) fn offset_left(&self, root: &Row) -> f32 {
+        self.left(root.depth + 1)
+    }
+
+    fn left(&self, depth: usize) -> f32 {
+        indent(depth) * self.indent + ARROW
     }
 
     /// A joint's name as it is written: without what all names begin with.
@@ -112,11 +141,6 @@ pub(super) fn arrow(row: Rect, left: f32) -> Rect {
     Rect::from_min_size(corner, vec2(ARROW, row.height()))
 }
 
-/// Left edge of the name within a row.
-pub(super) fn name_left(row: &Row) -> f32 {
-    indent(row.depth) + ARROW
-}
-
 fn indent(mut depth: usize) -> f32 {
     let mut sum = 0.0;
     for (levels, step) in INDENTS {
@@ -129,11 +153,6 @@ fn indent(mut depth: usize) -> f32 {
 
 /// Label of the row below a root.
 pub(super) const OFFSET: &str = "Offset";
-
-/// Left edge of that label within its row: that of the names of the root's children.
-pub(super) fn offset_left(root: &Row) -> f32 {
-    indent(root.depth + 1) + ARROW
-}
 
 /// Font of names.
 pub(super) fn font(ui: &Ui) -> FontId {
@@ -191,5 +210,49 @@ mod tests {
     fn deeper_joints_are_indented_further_but_ever_less() {
         let at = [0, 1, 8, 9, 16, 17, 48, 1000].map(indent);
         assert_eq!(at, [0.0, 4.0, 32.0, 34.0, 48.0, 49.0, 80.0, 80.0]);
+    }
+
+    #[test]
+    fn where_names_are_too_long_rows_are_indented_less_before_a_name_is_cut() {
+        let named = |last: &str| {
+            let names = (0..10).map(|joint| format!("Joint {joint}"));
+            let names = names.chain([last.to_owned()]).enumerate();
+            let joints = names.map(|(index, name)| Joint {
+                name,
+                parent: index.checked_sub(1),
+                ..Joint::default()
+            });
+            SkeletalModel::new(joints.collect()).expect("a chain")
+        };
+        let shown = |last: &str| {
+            let (skeleton, mut shown) = (named(last), (0.0, 0.0));
+            let rows: Vec<Row> = (0..11)
+                .map(|joint| Row {
+                    joint,
+                    depth: joint,
+                    folded: None,
+                })
+                .collect();
+            let context = egui::Context::default();
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                ui.set_max_width(250.0);
+                let columns = Columns::new(ui, &skeleton, &rows);
+                let row = columns.place(ui);
+                let name = columns.name(row, columns.name_left(&rows[10]));
+                shown = (
+                    columns.indent,
+                    name.width() - text_width(ui, last, &font(ui)),
+                );
+            });
+            output.textures_delta.clear();
+            shown
+        };
+        let (indent, room) = shown("Short");
+        assert!(indent == 1.0 && room > 0.0, "{indent} {room}");
+        let (indent, room) = shown("Right middle 2");
+        assert!(indent < 1.0 && room >= -0.01, "{indent} {room}");
+        // That does not help what is far too long.
+        let (indent, room) = shown("A name that has no room whatever is done");
+        assert!(indent == 1.0 && room < 0.0, "{indent} {room}");
     }
 }

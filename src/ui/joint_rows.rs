@@ -1,6 +1,6 @@
 //! Rows of the joint list: angles of a joint, offset of a root.
 
-use super::joint_columns::{Columns, OFFSET, arrow, font, name_left, offset_left, shortened_path};
+use super::joint_columns::{Columns, OFFSET, arrow, font, shortened_path};
 use super::joint_tree::Row;
 use super::number_field::NumberField;
 use super::shape_properties::STEP;
@@ -84,7 +84,7 @@ pub(super) fn show_joint(
     let name = &skeleton.joints()[row.joint].name;
     let hovered = ui.rect_contains_pointer(rect);
 
-    let left = name_left(row);
+    let left = columns.name_left(row);
     // Tab goes from number to number, and to one name of the list, from which arrow keys go to the others.
     let sense = if look.stops_tab || ui.memory(|memory| memory.has_focus(id)) {
         Sense::click()
@@ -253,7 +253,7 @@ pub(super) fn show_offset(
     if hovered {
         ui.painter().rect_filled(rect, 3.0, palette.field);
     }
-    let at = columns.name(rect, offset_left(row)).left_center();
+    let at = columns.name(rect, columns.offset_left(row)).left_center();
     let font = font(ui);
     ui.painter()
         .text(at, Align2::LEFT_CENTER, OFFSET, font, palette.weak);

@@ -12,6 +12,7 @@ use editor_core::io::{PoseData, export_obj};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose};
 use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
+use editor_core::ui::Action;
 use egui::accesskit::Node;
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, TouchPhase, pos2, vec2};
 use glam::Vec3;
@@ -34,6 +35,14 @@ fn mine(figure: &Figure, student: &Student) -> Vec<u8> {
 fn off_by_one() -> Student {
     Student {
         joint_of_column: |column| column,
+        ..RIGHT
+    }
+}
+
+/// Rotations the wrong way round.
+fn transposed() -> Student {
+    Student {
+        keep_rotation: |rotation| rotation.transpose(),
         ..RIGHT
     }
 }
@@ -180,8 +189,6 @@ fn an_off_by_one_of_the_weights_is_named_and_its_worst_vertex_found_by_one_click
     diagnose(&mut story);
     text(&story, "weights-shifted:");
     text(&story, "Section 4.");
-    let begins = text(&story, "Show Vertex ");
-    assert!(begins.ends_with(", Where It Begins"), "{begins}");
     let before = story.session().view().camera;
     story.click("Show the Worst Vertex");
     let camera = story.session().view().camera;
@@ -495,6 +502,53 @@ fn the_place_of_a_vertex_in_the_compared_mesh_has_the_name_of_its_file() {
 }
 
 #[test]
+fn where_a_mistake_begins_is_one_click_away_where_that_is_not_the_worst_vertex() {
+    let mut story = comparing(&transposed());
+    diagnose(&mut story);
+    let begins = text(&story, "Show Vertex ");
+    assert!(begins.ends_with(" at Hips, Where It Begins"), "{begins}");
+    story.click("Show the Worst Vertex");
+    let worst = story.session().view().camera;
+    story.click(&begins);
+    assert_ne!(story.session().view().camera, worst);
+    // One click is enough where both are the same.
+    let mut story = comparing(&off_by_one());
+    diagnose(&mut story);
+    assert!(
+        !texts(&story)
+            .iter()
+            .any(|text| text.starts_with("Show Vertex "))
+    );
+}
+
+#[test]
+fn the_camera_that_went_to_a_vertex_goes_back_when_the_comparison_ends_unless_it_was_moved_by_hand()
+{
+    let mut story = comparing(&transposed());
+    diagnose(&mut story);
+    let before = story.session().view().camera;
+    story.click("Show the Worst Vertex");
+    let farther = story.session().view().camera;
+    story.click(&text(&story, "Show Vertex "));
+    assert!(![before, farther].contains(&story.session().view().camera));
+    story.key(Key::Escape);
+    assert!(!story.has("Show the Worst Vertex"));
+    assert_eq!(story.session().view().camera, before);
+
+    let mut story = comparing(&off_by_one());
+    story.click("Show the Worst Vertex");
+    let moved = Camera {
+        theta: 1.0,
+        ..story.session().view().camera
+    };
+    let seen = vec![Action::View(View::SetCamera(moved))];
+    story.program.carry_out(seen, &mut story.host);
+    story.settle();
+    story.key(Key::Escape);
+    assert_eq!(story.session().view().camera, moved);
+}
+
+#[test]
 fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
     let mut story = comparing(&off_by_one());
     diagnose(&mut story);
@@ -509,15 +563,12 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
     scroll_down(&mut story, pos2(right, formula.y));
     assert_eq!(story.place(&formula_of(&story)), formula);
 
-    let begins = text(&story, "Show Vertex ");
-    story.click(&formula_of(&story));
+    let formula = formula_of(&story);
+    story.click(&formula);
     assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
     let explained = story.node("Vertex").and_then(Node::numeric_value);
     let explained = explained.expect("the number of a vertex");
-    assert!(
-        begins.starts_with(&format!("Show Vertex {explained} at ")),
-        "{begins}"
-    );
+    assert_eq!(formula, format!("{FORMULA}{explained}"));
     assert!(!texts(&story).iter().any(|text| text.starts_with(FORMULA)));
 }
 

@@ -145,9 +145,9 @@ impl Parts<'_> {
     /// Moves the camera to a vertex, and marks it.
     pub(super) fn go_to(&mut self, vertex: usize) {
         self.chosen.marked = Some(vertex);
-        let camera = self.compare.camera(self.session, vertex, self.area);
-        let camera = camera.map(|camera| Action::View(View::SetCamera(camera)));
-        self.actions.extend(camera);
+        if let Some(camera) = self.compare.camera(self.session, vertex, self.area) {
+            self.ask(CompareMeshAction::LookFrom(camera));
+        }
     }
 
     /// What is wrong, in words.

@@ -9,12 +9,14 @@ use glam::Vec3;
 use std::path::Path;
 
 /// What is asked of a comparison with a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CompareMeshAction {
     /// Choose the mesh to compare a character with; starts a comparison or goes on with another mesh.
     Choose(ShapeId),
     /// Show the meshes in this way.
     Show(MeshesShown),
+    /// Look at a vertex from there.
+    LookFrom(Camera),
     /// Back to the scene alone.
     Close,
 }
