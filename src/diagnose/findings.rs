@@ -197,11 +197,15 @@ impl Findings<'_> {
 
     /// Whether the vertex at `index` is not where it is in the bind pose.
     fn is_moved(&self, index: usize) -> bool {
-        let rest = self.model.positions[self.model.source(self.order, index).position];
-        self.exact[index].distance(rest) > self.tolerance
+        self.exact[index].distance(self.at_rest(index)) > self.tolerance
     }
 
-    fn is_off(&self, index: usize) -> bool {
+    /// Where the vertex at `index` is in the bind pose.
+    pub(super) fn at_rest(&self, index: usize) -> DVec3 {
+        self.model.positions[self.model.source(self.order, index).position]
+    }
+
+    pub(super) fn is_off(&self, index: usize) -> bool {
         self.distances[index] > self.tolerance
     }
 

@@ -44,6 +44,15 @@ pub(super) static VERTEX_MISSING: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in which vertices are posed, which all of them show together.
+pub(super) static VERTICES_NOT_REACHED: Mistake = Mistake {
+    id: "vertices-not-reached",
+    meaning: "the loop over the vertices does not come to all of them, so that the others stay where they were",
+    section: SSD,
+    look_at: "updateMeshVertices: the loop over the vertices goes from the first one, 0, to the last",
+    readings: &[],
+};
+
 /// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
 pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
     id: "one-wrong-parent",
@@ -211,11 +220,12 @@ fn scale_angles(formula: &mut Formula, pi: f64) {
 }
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 17] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 18] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
     &VERTEX_MISSING,
+    &VERTICES_NOT_REACHED,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
     &WEIGHTS_EXCHANGED,

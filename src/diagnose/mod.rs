@@ -23,6 +23,7 @@ mod mistakes;
 mod model;
 mod nearest;
 mod no_numbers;
+mod not_reached;
 mod not_turned;
 mod of_angles;
 mod of_collada;
@@ -288,6 +289,9 @@ async fn diagnose_vertices(
                     coarse,
                     ..findings.of_other_pose(other)
                 });
+            }
+            if let Some(explanation) = not_reached::find(&findings) {
+                return Ok(findings.simplest(vec![explanation], pose));
             }
             if order == VertexOrder::File {
                 let reordered = any_order::beside_mistakes(&search, pace).await;

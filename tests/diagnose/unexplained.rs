@@ -286,6 +286,46 @@ fn another_order_that_no_importer_is_known_for_is_told_as_one() {
 }
 
 #[test]
+fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
+    let figure = adult();
+    let right = RIGHT.skin(&figure);
+    let half = right.len() / 2;
+    let with = |left: std::ops::Range<usize>, at: &dyn Fn(usize) -> Vec3| {
+        let mut theirs = right.clone();
+        left.for_each(|index| theirs[index] = at(index));
+        figure.diagnose(&written(&theirs, 6))
+    };
+    let at_rest = |index: usize| figure.positions[index];
+    for (found, how) in [
+        (
+            with(half..right.len(), &at_rest),
+            format!("those from {half} on, counted from 0, are at rest"),
+        ),
+        (
+            with(half..right.len(), &|_| Vec3::ZERO),
+            format!("those from {half} on, counted from 0, are at the origin"),
+        ),
+        (
+            with(0..half, &at_rest),
+            format!("those before {half}, counted from 0, are at rest"),
+        ),
+    ] {
+        assert_eq!(found.together(), ["vertices-not-reached"], "{found}");
+        assert_eq!(found.mistakes[0].how, how);
+        assert!(found.error < 1e-5 && found.same_as.is_empty(), "{found}");
+    }
+    // Vertices in between, and single ones at the end, are no loop's.
+    let found = with(half..half + 500, &at_rest);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    let found = with(right.len() - 1..right.len(), &at_rest);
+    assert_eq!(
+        found.nearly_right(),
+        Some(NearlyRight::ButForFew),
+        "{found}"
+    );
+}
+
+#[test]
 fn a_mistake_is_named_beside_vertices_in_any_order() {
     for figure in [adult(), Figure::posed("adult", "adult-walk")] {
         for (id, student) in [
