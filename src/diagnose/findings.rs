@@ -279,13 +279,11 @@ impl Findings<'_> {
     }
 
     /// Movements, scales and turns that give the whole mesh within `limits`.
-    pub(super) fn of_the_whole(&self, theirs: &[Vec3], limits: Limits) -> Vec<OfTheWhole> {
-        let exact = self
-            .exact
-            .iter()
-            .map(|placed| placed.at.as_vec3())
-            .collect();
-        let [exact, theirs] = [exact, theirs.to_vec()].map(|points| Mesh::new(points, Vec::new()));
+    pub(super) fn of_the_whole(&self, limits: Limits) -> Vec<OfTheWhole> {
+        let exact = self.exact.iter().map(|placed| placed.at.as_vec3());
+        let theirs = self.theirs.iter().map(|place| place.as_vec3());
+        let [exact, theirs] = [exact.collect(), theirs.collect()]
+            .map(|points: Vec<Vec3>| Mesh::new(points, Vec::new()));
         let options = MeshOptions {
             tolerance: Some(self.tolerance),
             ..MeshOptions::default()
@@ -307,8 +305,8 @@ impl Findings<'_> {
     }
 
     /// Whether the whole mesh is the exact one with other axes, within `limits`.
-    pub(super) fn has_other_axes(&self, theirs: &[Vec3], limits: Limits) -> bool {
-        let found = self.of_the_whole(theirs, limits);
+    pub(super) fn has_other_axes(&self, limits: Limits) -> bool {
+        let found = self.of_the_whole(limits);
         let is_of_axes = |found: &OfTheWhole| matches!(found.0, MeshFinding::Axes { .. });
         found.iter().any(is_of_axes)
     }

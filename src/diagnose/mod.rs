@@ -32,6 +32,7 @@ mod of_weighted_sum;
 mod of_whole_program;
 mod one_joint;
 mod other_pose;
+mod otherwise;
 mod picture;
 mod picture_search;
 mod placed;
@@ -231,16 +232,11 @@ async fn diagnose_vertices(
     let of_numbers = precision::of_vertices(half_step);
     let rounding = of_numbers.max(AS_GOOD_AS_NONE * size);
     let fits = search.within(rounding.max(error / MUCH_NEARER));
-    let (mut alone, mut explanations) = sought(&search, &fits, &findings, rounding, pace).await;
-    let limits = placed::Limits {
-        tolerance,
-        rounding: of_numbers,
-        most: MOST_TOLERANCE * size,
-    };
+    let (alone, mut explanations) = sought(&search, &fits, &findings, rounding, pace).await;
     // That the right mesh has other axes, or is of a pose that lacks a joint, is simpler than two mistakes that come to the
     // same.
     let are_two = explanations.iter().any(|it| it.made.len() > 1);
-    if are_two && findings.has_other_axes(theirs, limits) {
+    if are_two && findings.has_other_axes(written.limits(size)) {
         explanations.clear();
     }
     let not_turned = match explanations.is_empty() {
@@ -264,45 +260,8 @@ async fn diagnose_vertices(
         }
     }
     if explanations.is_empty() {
-        let mut found = findings.diagnosis(Verdict::Unexplained);
-        found.coarse = coarse;
-        if coarse.is_some_and(|coarse| coarse.may_be_right) {
-            return Ok(found);
-        }
-        pace.after(exact.len()).await;
-        found.regions = findings.regions();
-        if !written.has_outliers {
-            found.findings = findings.of_the_whole(theirs, limits);
-            if found.findings.is_empty() {
-                let placed = placed::find(&search, limits, pace).await;
-                if !placed.is_empty() {
-                    return Ok(findings.explained(&placed));
-                }
-            }
-        }
-        // What is explained whole has nothing that is only near it.
-        if found.findings.is_empty() {
-            let limits = (tolerance, size);
-            let other = other_pose::find(model, pose, order, &points, limits, pace).await;
-            if let Some(other) = other {
-                return Ok(Diagnosis {
-                    coarse,
-                    ..findings.of_other_pose(other)
-                });
-            }
-            if let Some(explanation) = not_reached::find(&findings) {
-                return Ok(findings.simplest(vec![explanation], pose));
-            }
-            if order == VertexOrder::File {
-                let reordered = any_order::beside_mistakes(&search, pace).await;
-                if !reordered.is_empty() {
-                    return Ok(findings.simplest(reordered, pose));
-                }
-            }
-            alone.extend(search.near_whole_program(pace).await);
-            found.nearest = nearest::find(&search, model, pose, order, &alone);
-        }
-        return Ok(found);
+        let found = otherwise::find(&search, &findings, (alone, coarse), &written, pace).await;
+        return Ok(Diagnosis { coarse, ..found });
     }
     Ok(Diagnosis {
         coarse,

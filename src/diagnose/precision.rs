@@ -1,5 +1,6 @@
 //! How exactly the numbers of a mesh were written, and how far vertices may be off for that.
 
+use super::placed::Limits;
 use super::skin::Placed;
 use super::{MOST_TOLERANCE, SINGLE_PRECISION, TOLERANCE};
 use glam::{DVec3, Vec3};
@@ -57,6 +58,15 @@ impl Written {
             largest: f64::from(largest),
             half_step: half_step(others),
             has_outliers: theirs.iter().any(|point| is_outlier(&point)),
+        }
+    }
+
+    /// How far vertices may be from where the mesh is moved or scaled to as a whole, before that in a mesh of this size.
+    pub(super) fn limits(&self, size: f64) -> Limits {
+        Limits {
+            tolerance: self.tolerance(size),
+            rounding: of_vertices(self.half_step),
+            most: MOST_TOLERANCE * size,
         }
     }
 

@@ -4,7 +4,9 @@ use super::ground::{OFF_THE_GROUND, figures, lowest_at_rest};
 use super::standing::{Stander, body_of, moved, way_out};
 use super::{Edit, Session, hiding};
 use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, ShapeKind};
+use crate::scene::{
+    Camera, Evaluated, EvaluatedShape, Evaluator, Look, NewShape, Scene, ShapeKind,
+};
 use glam::Vec3;
 
 /// Depth of shapes by their width and height from which on they hide themselves.
@@ -18,7 +20,8 @@ const BACK: f32 = -0.5;
 /// show its back beside other characters, or else to `camera`, and beside whatever it would stand in, on
 /// the ground of the other characters. Curves are placed beside characters, too, in which nobody would find
 /// either of them, but not beside other curves, which they may belong to, and so are other shapes that would hide a
-/// character in them. What stands in nothing stays where its file has it: on a horse, or in the air.
+/// character in them. What stands in nothing stays where its file has it: on a horse, or in the air. In the Mannequin look
+/// characters are only moved aside.
 ///
 /// Returns whether shapes were moved so that they do not hide a character.
 pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) -> bool {
@@ -45,7 +48,8 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
         front.filter(|_| shape.visible)
     });
     let wanted = wanted.unwrap_or(to_eye);
-    if shows_back(front, wanted) && turn_round(shapes, bounds.center()) {
+    let may_turn = !is_of_the_page(session);
+    if may_turn && shows_back(front, wanted) && turn_round(shapes, bounds.center()) {
         bounds = bounds_of(shapes);
     }
     let others = standing_around(session, shapes, camera.eye());
@@ -153,8 +157,15 @@ fn stand_beside(
     }
     let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_of(shapes));
     let is_off = up.is_finite() && up.abs() > OFF_THE_GROUND * bounds.size().y;
+    let is_off = is_off && !is_of_the_page(session);
     let up = Vec3::Y * if is_off { up } else { 0.0 };
     move_all(shapes, up + way_out(&moved(bounds, up)));
+}
+
+/// Whether figures are shown as the Virtual Mannequin's page does: as high above its floor, and turned, as their files have
+/// them, since the colors of normals show that.
+fn is_of_the_page(session: &Session) -> bool {
+    session.view().look == Look::Mannequin
 }
 
 fn move_all(shapes: &mut [NewShape], by: Vec3) {
@@ -166,9 +177,11 @@ fn move_all(shapes: &mut [NewShape], by: Vec3) {
 
 /// Has figures that are to be added stand on the ground, if the view shows one: those that would sink below all that is
 /// seen are lifted, since the ground would follow them down and leave everything else in the air, and those that would hang
-/// in the air beside other characters are let down, but not what is above something, such as a rider.
+/// in the air beside other characters are let down, but not what is above something, such as a rider. In the Mannequin look
+/// they are as high as their files have them.
 pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
-    if !session.view().has_ground() || shapes.iter().find_map(NewShape::front).is_none() {
+    let has_ground = session.view().has_ground() && !is_of_the_page(session);
+    if !has_ground || shapes.iter().find_map(NewShape::front).is_none() {
         return;
     }
     let others = standing(session);

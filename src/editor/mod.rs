@@ -41,7 +41,7 @@ pub use ground::kept_on_ground;
 pub use ik_grip::IkGrip;
 pub use ik_tool::IkDrag;
 pub use messages::{Message, Messages, Severity};
-pub use move_tool::{MoveDrag, MoveTarget, root_of};
+pub use move_tool::{MoveDrag, MoveTarget, root_of, selected_roots};
 pub use movement::MoveAlong;
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, Together, roll};
 pub use selection::{

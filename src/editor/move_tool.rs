@@ -93,6 +93,30 @@ impl MoveTarget {
     }
 }
 
+/// What moves where the selected joints of a character are meant: the root among them, or all roots if all are; `None` if
+/// none is, since other joints only turn.
+pub fn selected_roots(session: &Session, shape: ShapeId) -> Option<MoveTarget> {
+    let active = session
+        .selected_joint()
+        .filter(|_| session.selected() == Some(shape))?;
+    let selected = session.selected_joints();
+    let roots = session
+        .scene()
+        .character(shape)?
+        .character
+        .skeleton()
+        .roots();
+    if roots.len() > 1 && roots.iter().all(|root| selected.contains(root)) {
+        let joint = active;
+        return Some(MoveTarget::AllRoots { shape, joint });
+    }
+    let own = root_of(session, shape, active);
+    let own = own.filter(|root| selected.contains(root));
+    let mut others = roots.iter().copied().filter(|root| selected.contains(root));
+    let joint = own.or_else(|| others.next())?;
+    Some(MoveTarget::Root { shape, joint })
+}
+
 /// Index of the root above `joint`, or `joint` itself if it is a root.
 pub fn root_of(session: &Session, shape: ShapeId, joint: usize) -> Option<usize> {
     let joints = session

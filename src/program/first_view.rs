@@ -22,7 +22,7 @@ const ABOVE_TEXTURES: f32 = 0.5;
 /// from behind what has its front at +Z.
 const ASIDE: f32 = 0.9;
 /// Part of a figure that is added that has to be in the picture.
-const WHOLE: f32 = 0.75;
+const WHOLE: f32 = 0.95;
 /// Width over height of the course's window.
 const COURSE_ASPECT: f32 = 4.0 / 3.0;
 /// Least share of the course's picture that a character takes up there, to be seen well.

@@ -346,7 +346,7 @@ fn a_mistake_is_named_beside_vertices_in_any_order() {
             (
                 "angles-scaled",
                 Student {
-                    to_radians: |degrees| degrees * 3.14 / 180.0,
+                    to_radians: |degrees| degrees * 22.0 / 7.0 / 180.0,
                     ..RIGHT
                 },
             ),

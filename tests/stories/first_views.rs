@@ -4,6 +4,7 @@ use super::Story;
 use crate::host::MemoryHost;
 use editor_core::editor::{Edit, View};
 use editor_core::io::image::{self, PictureFormat};
+use editor_core::math::Euler;
 use editor_core::program::StorageKey;
 use editor_core::scene::{Camera, Look, Shape, ShapeColor};
 use editor_core::ui::{Action, Ask, Navigation};
@@ -133,7 +134,49 @@ fn a_figure_that_would_fill_the_view_is_seen_whole() {
         .view()
         .camera
         .seen_part(&bounds, view.width() / view.height());
-    assert!(seen > 0.7, "{seen}");
+    assert!(seen > 0.94, "{seen}");
+}
+
+#[test]
+fn a_figure_whose_head_would_be_out_of_the_picture_is_seen_whole() {
+    let mut story = Story::start(&["builtin:adult"]);
+    let bounds = story.session().evaluated().shapes[0].world_bounds();
+    let fitted = story.session().view().camera;
+    let camera = Camera {
+        // Its shoulders are at the upper edge, and there is room on both sides.
+        target: bounds.center() - 0.52 * bounds.size().y * Vec3::Y,
+        radius: 1.6 * fitted.radius,
+        ..fitted
+    };
+    story.program.session_mut().look(View::SetCamera(camera));
+    story.settle();
+    let view = story.view();
+    let aspect = view.width() / view.height();
+    let seen = |story: &Story, at: usize| {
+        let bounds = story.session().evaluated().shapes[at].world_bounds();
+        story.session().view().camera.seen_part(&bounds, aspect)
+    };
+    let before = seen(&story, 0);
+    assert!((0.75..0.95).contains(&before), "{before}");
+    story.click("Insert");
+    story.click("Built-in Character");
+    story.click("Adult");
+    assert!(seen(&story, 1) > 0.99);
+}
+
+#[test]
+fn in_the_mannequin_look_a_figure_that_is_imported_is_only_set_aside() {
+    let mut story = start(&["builtin:adult"]);
+    let look = View::SetLook(Look::Mannequin);
+    story.program.session_mut().look(look);
+    // The one shows its back, and the other has its feet elsewhere.
+    for name in ["models/large.obj", "builtin:robot"] {
+        story.import(name);
+        let transform = story.shape().placement.transform;
+        assert_eq!(transform.rotation, Euler::ZERO, "{name}");
+        assert_eq!(transform.position.y, 0.0, "{name}");
+        assert_ne!(transform.position, Vec3::ZERO, "{name}");
+    }
 }
 
 #[test]

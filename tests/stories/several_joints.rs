@@ -220,6 +220,45 @@ fn with_no_joint_selected_a_key_says_so_and_leaves_the_figure_that_is_posed() {
 }
 
 #[test]
+fn where_the_root_is_selected_with_other_joints_g_moves_it_as_in_blender() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let root = story.joint("Root");
+    let moved = |story: &mut Story| {
+        let before = story.character().pose().root_offset(root);
+        story.keys(&[Key::G, Key::X, Key::Num2, Key::Enter]);
+        let pose = story.character().pose();
+        assert_eq!(pose.rotation(root), Euler::ZERO);
+        pose.root_offset(root) - before
+    };
+    story.key(Key::A);
+    assert!(moved(&mut story).abs_diff_eq(Vec3::X * 2.0, 1e-4));
+    // Whichever of them is the active one.
+    story.click("Root");
+    let below = story.place("Left hip");
+    story.add_by_click(below);
+    assert_eq!(
+        story.session().selected_joint(),
+        Some(story.joint("Left hip"))
+    );
+    assert!(moved(&mut story).abs_diff_eq(Vec3::X * 2.0, 1e-4));
+    // Of a forest all roots are moved, if all are selected.
+    let mut story = Story::start(&["builtin:creature"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    story.key(Key::A);
+    story.keys(&[Key::G, Key::X, Key::Num2, Key::Enter]);
+    let character = story.character();
+    let roots = character.character.skeleton().roots();
+    assert!(roots.len() > 1);
+    for &root in roots {
+        let offset = character.pose().root_offset(root);
+        assert!((offset.length() - 2.0).abs() < 1e-3, "{root}: {offset}");
+    }
+}
+
+#[test]
 fn while_a_figure_is_posed_a_box_and_select_all_are_about_its_joints() {
     let mut story = Story::start(&["builtin:adult"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);

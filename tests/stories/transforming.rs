@@ -23,7 +23,7 @@ impl Story {
         story
     }
 
-    fn keys(&mut self, keys: &[Key]) {
+    pub fn keys(&mut self, keys: &[Key]) {
         for &key in keys {
             self.key(key);
         }

@@ -7,7 +7,7 @@ use super::run::{character_to_compare, selected_character, selected_curves};
 use super::sweep::{revolution, sweep};
 use super::table::is_in;
 use super::{Command, Menu};
-use crate::editor::{Session, Tool, root_of};
+use crate::editor::{Session, Tool, selected_roots};
 use crate::math::Euler;
 use crate::scene::{Look, Shape, ShapeKind};
 use crate::ui::state::UiState;
@@ -128,7 +128,7 @@ fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'sta
     if !matches!(tool, Tool::Pose | Tool::Ik) || session.scene().character(id).is_none() {
         return None;
     }
-    let Some(joint) = session.selected_joint() else {
+    if session.selected_joint().is_none() {
         // Who has just clicked beside a bone does not mean the whole figure.
         return Some(match does {
             Tool::Rotate => {
@@ -137,9 +137,9 @@ fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'sta
             Tool::Scale => "A bone only turns (R). The Select tool (V) scales the character",
             _ => "No joint is selected: click one. The Select tool (V) moves the character",
         });
-    };
+    }
     match does {
-        Tool::Move if tool == Tool::Pose && root_of(session, id, joint) != Some(joint) => Some(
+        Tool::Move if tool == Tool::Pose && selected_roots(session, id).is_none() => Some(
             "Only the root moves: a bone turns (R). With the Select tool (V), G moves the character",
         ),
         Tool::Scale => {

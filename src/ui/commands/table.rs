@@ -1,7 +1,7 @@
 //! The table of commands: labels, tooltips, menus and keyboard shortcuts.
 
 use super::{Command, Primitive};
-use crate::editor::{Session, Tool, root_of};
+use crate::editor::{Session, Tool, selected_roots};
 use crate::scene::{Look, Shading, Skinning, ViewDirection};
 use crate::ui::{MeshColors, Navigation};
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
@@ -308,7 +308,7 @@ pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
 /// Blender's navigation are about its angles and its offset. There, with the Pose tool G turns a bone that hangs on another one, as it does in Blender.
 pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
     let has_joint = session.selected_joint().is_some();
-    let hangs = |(shape, joint)| root_of(session, shape, joint) != Some(joint);
+    let only_turn = |shape| selected_roots(session, shape).is_none();
     match command {
         Command::Delete if has_joint && matches!(tool, Tool::Pose | Tool::Ik) => {
             Command::ResetJoint
@@ -316,8 +316,7 @@ pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> C
         Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetAngles,
         Command::ResetPosition if has_joint && tool.takes_bones() => Command::ResetOffset,
         Command::Begin(Tool::Move)
-            if tool == Tool::Pose
-                && (session.selected().zip(session.selected_joint())).is_some_and(hangs) =>
+            if tool == Tool::Pose && has_joint && session.selected().is_some_and(only_turn) =>
         {
             Command::Begin(Tool::Rotate)
         }

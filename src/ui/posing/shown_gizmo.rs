@@ -4,7 +4,7 @@ use super::held::{Drag, Held};
 use super::{PoseState, ik, selected_root};
 use crate::editor::{
     BoneDrag, GizmoHit, Handle, IkGrip, MoveDrag, MoveGizmo, MoveTarget, RingDrag, RotationGizmo,
-    ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale, ShapeTurn, Tool,
+    ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale, ShapeTurn, Tool, selected_roots,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
@@ -216,7 +216,9 @@ pub(super) fn begin_by_key(
                     curve,
                     point,
                 },
-                (Some(_), None) => move_target(session, shape),
+                (Some(_), None) => {
+                    selected_roots(session, shape).unwrap_or(MoveTarget::Shape(shape))
+                }
                 (None, None) => MoveTarget::Shape(shape),
             };
             let along = target.free(session);
