@@ -45,11 +45,14 @@ impl fmt::Display for Coarse {
             false => "numbers",
         };
         let (step, enough) = (self.rounded_to, self.enough_digits);
-        write!(
-            f,
-            "{what} rounded to {step}, which is too coarse to tell mistakes apart: write at least {enough} digits \
-             after the point"
-        )
+        match self.is_cut_off {
+            true => write!(f, "{what} cut off to {step} instead of rounded")?,
+            false => write!(
+                f,
+                "{what} rounded to {step}, which is too coarse to tell mistakes apart"
+            )?,
+        }
+        write!(f, ": write at least {enough} digits after the point")
     }
 }
 
@@ -57,9 +60,12 @@ impl Coarse {
     /// In words what it means for a mesh that mistakes give.
     pub fn beside_mistakes(&self) -> String {
         let (step, enough) = (self.rounded_to, self.enough_digits);
+        let how = match self.is_cut_off {
+            true => format!("cut off to {step} instead of rounded"),
+            false => format!("rounded to {step}"),
+        };
         format!(
-            "its numbers are rounded to {step}, which may hide smaller mistakes: write at least {enough} digits after \
-             the point"
+            "its numbers are {how}, which may hide smaller mistakes: write at least {enough} digits after the point"
         )
     }
 }

@@ -255,8 +255,14 @@ async fn diagnose_vertices(
         let limit = coarse.and(precision::coarse_limit(half_step, size));
         let may_be_right = coarse.is_some_and(|coarse| coarse.may_be_right);
         if let Some(limit) = limit.filter(|_| !may_be_right) {
-            let rounded = search.of_coordinates_within(limit);
+            let rounded = search.of_coordinates_within(limit, None);
             (_, explanations) = sought(&rounded, &rounded, &findings, limit, pace).await;
+        }
+        if explanations.is_empty() && !may_be_right {
+            let cut_off = sought_cut_off(&search, &findings, &written, pace).await;
+            if let Some((cut_off, found)) = cut_off {
+                (coarse, explanations) = (Some(cut_off), found);
+            }
         }
     }
     if explanations.is_empty() {
@@ -301,6 +307,34 @@ async fn sought(
         explanations = search.pairs(&alone, rounding, pace).await;
     }
     (alone, explanations)
+}
+
+/// How the numbers of the mesh are cut off, if it is the exact one then or the one of the mistakes that come with it.
+async fn sought_cut_off(
+    search: &Search<'_>,
+    findings: &Findings<'_>,
+    written: &Written,
+    pace: &Pace,
+) -> Option<(Coarse, Vec<Explanation>)> {
+    let Findings {
+        exact,
+        theirs,
+        size,
+        ..
+    } = *findings;
+    let (ways, limit) = written.cut_off(theirs.len(), size)?;
+    for cut_off in ways {
+        let search = search.of_coordinates_within(limit, Some(cut_off));
+        let mut pairs = exact.iter().zip(theirs);
+        if pairs.all(|(exact, theirs)| !search.is_off(*exact, *theirs)) {
+            return Some((Coarse::of_cut_off(cut_off, size, true), Vec::new()));
+        }
+        let (_, explanations) = sought(&search, &search, findings, limit, pace).await;
+        if !explanations.is_empty() {
+            return Some((Coarse::of_cut_off(cut_off, size, false), explanations));
+        }
+    }
+    None
 }
 
 /// The order in which a program may have written so many vertices: that of the file if it may be.

@@ -1,7 +1,7 @@
 //! How exactly the numbers of a mesh were written, and how far vertices may be off for that.
 
 use super::placed::Limits;
-use super::skin::Placed;
+use super::skin::{CutOff, Placed};
 use super::{MOST_TOLERANCE, SINGLE_PRECISION, TOLERANCE};
 use glam::{DVec3, Vec3};
 use serde::Serialize;
@@ -70,6 +70,18 @@ impl Written {
         }
     }
 
+    /// How the numbers of a mesh of this `size` may be cut off instead of rounded, and how far coordinates may be apart and
+    /// agree then; nothing where that would show nothing, or no more than rounding does.
+    pub(super) fn cut_off(&self, count: usize, size: f64) -> Option<([CutOff; 2], f64)> {
+        let half_step = self.half_step;
+        let is_more = 2.0 * of_vertices(half_step) > self.tolerance(size);
+        let limit = coarse_limit(half_step, size).filter(|_| is_more && count >= FEWEST_ROUNDED)?;
+        Some((
+            [false, true].map(|is_down| CutOff { is_down, half_step }),
+            limit,
+        ))
+    }
+
     /// How far vertices may be apart and agree in a mesh of this size.
     pub(super) fn tolerance(&self, size: f64) -> f64 {
         let rounding = of_vertices(self.half_step);
@@ -118,6 +130,8 @@ pub(super) fn coarse_limit(half_step: f64, size: f64) -> Option<f64> {
 pub struct Coarse {
     /// One unit of the last digit, in model space.
     pub rounded_to: f64,
+    /// Whether the digits after it are cut off instead of rounded.
+    pub is_cut_off: bool,
     /// Whether the exact result, so rounded, gives the mesh.
     pub may_be_right: bool,
     /// Digits after the point that would be enough.
@@ -146,11 +160,27 @@ impl Coarse {
             let mut pairs = exact.iter().zip(theirs);
             pairs.all(|(exact, theirs)| (exact.at - theirs.as_dvec3()).abs().max_element() <= most)
         };
-        is_coarse.then(|| Self {
-            rounded_to,
-            may_be_right: coarse_limit(half_step, size).is_some_and(is_so_rounded),
-            enough_digits: (-(TOLERANCE * size).log10()).ceil().max(1.0) as usize,
+        is_coarse.then(|| {
+            let may_be_right = coarse_limit(half_step, size).is_some_and(is_so_rounded);
+            Self::new(half_step, size, may_be_right)
         })
+    }
+
+    /// How the numbers of a mesh of this `size` are cut off, which is the exact one if that `may_be_right`.
+    pub(super) fn of_cut_off(cut_off: CutOff, size: f64, may_be_right: bool) -> Self {
+        Self {
+            is_cut_off: true,
+            ..Self::new(cut_off.half_step, size, may_be_right)
+        }
+    }
+
+    fn new(half_step: f64, size: f64, may_be_right: bool) -> Self {
+        Self {
+            rounded_to: 2.0 * half_step,
+            is_cut_off: false,
+            may_be_right,
+            enough_digits: (-(TOLERANCE * size).log10()).ceil().max(1.0) as usize,
+        }
     }
 }
 

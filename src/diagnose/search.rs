@@ -5,7 +5,7 @@ use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
 use super::found_otherwise::{ANGLES_SCALED, VERTEX_WITHOUT_W};
 use super::model::Model;
-use super::skin::{Metric, Placed, Skinner};
+use super::skin::{CutOff, Metric, Placed, Skinner};
 use super::ways::{
     Made, formula, pairs_of_ways, pairs_with_whole_program, ways, ways_of_whole_program,
 };
@@ -142,11 +142,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The same, where vertices agree if no coordinate is more than `limit` apart.
-    pub(super) fn of_coordinates_within(&self, limit: f64) -> Self {
+    /// The same, where vertices agree if no coordinate is more than `limit` apart, or from where it may have been before
+    /// its digits were `cut_off`.
+    pub(super) fn of_coordinates_within(&self, limit: f64, cut_off: Option<CutOff>) -> Self {
         Self {
             tolerance: limit,
-            metric: Metric::ByCoordinate,
+            metric: cut_off.map_or(Metric::ByCoordinate, Metric::ByCutCoordinate),
             sample: self.sample.clone(),
             ..*self
         }
@@ -270,7 +271,7 @@ impl<'a> Search<'a> {
             / count;
         let away = spread
             .iter()
-            .map(|&index| self.metric.between(self.theirs[index], middle));
+            .map(|&index| self.metric.between(middle, self.theirs[index]));
         away.sum::<f64>() / count
     }
 

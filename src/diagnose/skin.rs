@@ -28,23 +28,56 @@ pub(super) struct Placed {
     pub(super) is_unweighted: bool,
 }
 
-/// How it is told how far two places are apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How it is told how far theirs are from a place of ours.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Metric {
     /// In a straight line.
     Straight,
     /// By the coordinate that differs most, as rounding moves each by itself.
     ByCoordinate,
+    /// The same from the middle of all numbers that have the digits of theirs when others are cut off.
+    ByCutCoordinate(CutOff),
+}
+
+/// Digits that are cut off instead of rounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CutOff {
+    /// Whether that makes numbers smaller, and not only nearer to 0.
+    pub(super) is_down: bool,
+    /// Half a unit of the last digit that is left.
+    pub(super) half_step: f64,
+}
+
+impl CutOff {
+    /// How far `ours` is from the middle of the numbers that become `theirs`.
+    fn apart(self, ours: f64, theirs: f64) -> f64 {
+        let more = ours - theirs;
+        if theirs == 0.0 && !self.is_down {
+            // Those are twice as many.
+            (more.abs() - self.half_step).max(0.0)
+        } else if theirs < 0.0 && !self.is_down {
+            (more + self.half_step).abs()
+        } else {
+            (more - self.half_step).abs()
+        }
+    }
 }
 
 impl Metric {
-    pub(super) fn between(self, one: DVec3, other: DVec3) -> f64 {
+    pub(super) fn between(self, ours: DVec3, theirs: DVec3) -> f64 {
+        let largest = |apart: DVec3| match apart.is_nan() {
+            true => f64::NAN,
+            false => apart.abs().max_element(),
+        };
         match self {
-            Self::Straight => one.distance(other),
-            Self::ByCoordinate => match one - other {
-                apart if apart.is_nan() => f64::NAN,
-                apart => apart.abs().max_element(),
-            },
+            Self::Straight => ours.distance(theirs),
+            Self::ByCoordinate => largest(ours - theirs),
+            Self::ByCutCoordinate(cut_off) => {
+                let [ours, theirs] = [ours, theirs].map(|place| place.to_array());
+                largest(DVec3::from_array(
+                    [0, 1, 2].map(|axis| cut_off.apart(ours[axis], theirs[axis])),
+                ))
+            }
         }
     }
 }

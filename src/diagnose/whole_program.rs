@@ -6,6 +6,7 @@ use super::made_alone::MadeAlone;
 use super::misread_rows;
 use super::mistake::Mistake;
 use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
+use super::of_weighted_sum::LAST_RESULT_SKINNED;
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
 use super::search::{AT_ONCE, Explanation};
 use super::skin::Skinner;
@@ -38,9 +39,12 @@ pub(super) async fn find(
         }
         found.extend(made_by(mistake, alone, |_| true, pace).await);
     }
-    // Where each joint turns about one axis, rotations that are made twice are angles that are twice as large.
-    let is_repeated = |found: &Explanation| found.ids() == [ROTATION_REPEATED.id];
-    if found.iter().all(is_repeated) {
+    // Where each joint turns about one axis, what is made twice is angles that are twice as large.
+    let is_made_twice = |found: &Explanation| {
+        let twice = [ROTATION_REPEATED.id, LAST_RESULT_SKINNED.id];
+        found.ids().iter().all(|id| twice.contains(id))
+    };
+    if found.iter().all(is_made_twice) {
         found.extend(scaled_angles(fits, pace).await);
     }
     if found.is_empty() {
@@ -91,15 +95,15 @@ pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanati
 }
 
 /// That all angles are multiplied by the same factor, which is worked out by least squares.
-async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
+async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
     let search = fits.search;
     let angles = (0..search.model.skeleton().joints().len()).flat_map(|joint| {
         let radians = search.pose.rotation(joint).radians;
         radians.to_array()
     });
-    // A single angle that is another one is another pose.
+    // A single angle that is another one is another pose, unless by a factor that programs often have.
     if angles.filter(|angle| *angle != 0.0).count() < 2 {
-        return None;
+        return made_by(&ANGLES_SCALED, fits, |_| true, pace).await;
     }
     let formula = |factor: f64| {
         let mut formula = fits.formula();
@@ -132,14 +136,14 @@ async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation>
         // Rounded numbers lead to a factor that is only near the right one.
         for factor in coarse_pis_from(factor).chain(iter::once(factor)) {
             if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
-                return Some(Explanation {
+                return vec![Explanation {
                     how: Some(told_factor(factor)),
                     ..given
-                });
+                }];
             }
         }
     }
-    None
+    Vec::new()
 }
 
 /// A π that programs have, in words, and by how much it is another one than π. One of 3.1416 or more digits cannot be told

@@ -116,6 +116,52 @@ fn numbers_with_too_few_digits_are_said_to_be_the_reason() {
     assert!(!found.coarse.unwrap().may_be_right, "{found}");
 }
 
+/// How a program makes a number shorter, after it is multiplied.
+type Cut = fn(f32) -> f32;
+
+/// `points` with so many digits after the point, to which a program cuts them.
+fn cut(points: &[Vec3], digits: i32, cut: Cut) -> Vec<Vec3> {
+    let scale = 10_f32.powi(digits);
+    let cut = |number: f32| cut(number * scale) / scale;
+    points
+        .iter()
+        .map(|point| point.to_array().map(cut).into())
+        .collect()
+}
+
+#[test]
+fn digits_that_are_cut_off_are_told_and_mistakes_are_named_beside_them() {
+    let figure = adult();
+    for (way, name) in [(f32::trunc as Cut, "trunc"), (f32::floor, "floor")] {
+        for (digits, step) in [(2, "0.01"), (3, "0.001")] {
+            let right = cut(&RIGHT.skin(&figure), digits, way);
+            let found = figure.diagnose(&right);
+            assert_eq!(found.nearly_right(), Some(NearlyRight::Rounded), "{found}");
+            let told = format!(
+                "nearly right: the exact result cut off to {step} instead of rounded: write at least 4 digits after the point"
+            );
+            assert!(found.to_string().starts_with(&told), "{name}: {found}");
+            for ids in [&["euler-zyx"][..], &["euler-zyx", "strongest-joint-only"]] {
+                let theirs = cut(&with(ids).skin(&figure), digits, way);
+                let found = figure.diagnose(&theirs);
+                let mut mistakes = found.together();
+                mistakes.sort_unstable();
+                assert_eq!(mistakes, ids, "{name} {digits}: {found}");
+                let told = format!("its numbers are cut off to {step} instead of rounded");
+                assert!(found.to_string().contains(&told), "{found}");
+            }
+        }
+        // Four digits are enough, however they are written.
+        let found = figure.diagnose(&cut(&RIGHT.skin(&figure), 4, way));
+        assert_eq!(found.verdict, Verdict::Right, "{found}");
+        // More than what is cut off is another matter.
+        let mut off = cut(&RIGHT.skin(&figure), 2, way);
+        off[7].y += 0.02;
+        let found = figure.diagnose(&off);
+        assert!(!found.coarse.unwrap().may_be_right, "{found}");
+    }
+}
+
 #[test]
 fn a_mistake_that_agrees_within_the_last_of_few_digits_is_named() {
     let figure = adult();

@@ -1,6 +1,7 @@
 //! Mistakes of a whole program that are sought by themselves alone, or in the weights of a joint or two.
 
 use crate::diagnose::figures::{Figure, turned, written};
+use crate::diagnose::named;
 use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
 use editor_core::character::Pose;
 use editor_core::character::skinning::skin_positions;
@@ -101,6 +102,40 @@ fn angles_by_a_coarse_pi_are_all_that_is_named_where_few_digits_are_written() {
             let found = figure.diagnose(&written(&student.skin(figure), digits));
             assert_named(&found, "angles-scaled", how);
         }
+    }
+}
+
+#[test]
+fn a_single_angle_that_is_half_or_twice_as_large_is_told_as_a_factor_and_no_second_mistake_with_it()
+{
+    for (name, joint, degrees) in [
+        ("adult", 14, Vec3::Z * 50.0),
+        ("adult", 6, Vec3::X * 40.0),
+        ("robot", 5, Vec3::Y * 30.0),
+    ] {
+        let figure = Figure::builtin(name, |at| if at == joint { degrees } else { Vec3::ZERO });
+        let half = Student {
+            to_radians: |degrees| 0.5 * degrees.to_radians(),
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&half.skin(&figure), 6));
+        assert_named(&found, "angles-scaled", "each is 0.5 times as large");
+        assert_eq!(named(&found), [["angles-scaled"]], "{found}");
+        let twice = Student {
+            to_radians: |degrees| 2.0 * degrees.to_radians(),
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&twice.skin(&figure), 6));
+        let all = named(&found);
+        assert!(all.contains(&vec!["angles-scaled"]), "{found}");
+        assert!(all.contains(&vec!["rotation-repeated"]), "{found}");
+        // Any other factor is another pose.
+        let other = Student {
+            to_radians: |degrees| 0.6 * degrees.to_radians(),
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&other.skin(&figure), 6));
+        assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
     }
 }
 

@@ -278,7 +278,10 @@ fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> 
         }
         all += 1.0;
         counted += match differs {
-            Some(turned) if turned.turned_by > AS_EXPECTED || turned.moved.is_some() => {
+            Some(turned)
+                if turned.turned_by > AS_EXPECTED + TOLD_APART_OF_SMALL
+                    || turned.moved.is_some() =>
+            {
                 0.5 * f64::from(is_expected && is_there)
             }
             _ => 1.0,
