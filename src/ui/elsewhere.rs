@@ -51,13 +51,16 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
     ),
 ];
 
+/// Words that mean something else where no more follows.
+const MORE_FOLLOWS: [&str; 2] = ["turn", "hand"];
+
 /// Fewest letters that say what is searched for.
 const FEWEST: usize = 4;
 
 /// Where that is what `searched` begins to say or has in it, if that is no command or not only one.
 pub(super) fn elsewhere(searched: &str) -> Option<&'static str> {
     let searched = searched.trim().to_lowercase();
-    if searched.chars().count() < FEWEST {
+    if searched.chars().count() < FEWEST || MORE_FOLLOWS.contains(&&*searched) {
         return None;
     }
     // At the beginning of a word: "rectangle" has another one in it.
@@ -79,6 +82,7 @@ mod tests {
             assert!(found.contains("editor submit"), "{found}");
         }
         assert_eq!(elsewhere("sub"), None, "as subdivide begins");
+        assert_eq!(elsewhere("turn"), None, "a joint, or the view");
         assert_eq!(elsewhere(""), None);
         for searched in ["teapot", "rectangle", "triangle", "control point"] {
             assert_eq!(elsewhere(searched), None, "{searched}");
