@@ -41,10 +41,29 @@ pub enum Halves {
     ToEven,
     /// To where it is nearer in fact, as `printf` writes it.
     AsTheyAre,
+    /// The same of the file's number in double precision, as Python's `round` does.
+    AsDoubles,
 }
 
 impl Halves {
-    pub(super) const ALL: [Self; 3] = [Self::Up, Self::ToEven, Self::AsTheyAre];
+    pub(super) const ALL: [Self; 4] = [Self::Up, Self::ToEven, Self::AsTheyAre, Self::AsDoubles];
+}
+
+/// The double precision of the number that was read in single precision, by its shortest decimal.
+fn as_double(weight: f64) -> f64 {
+    (weight as f32).to_string().parse().unwrap_or(weight)
+}
+
+/// The whole number next to `number` times `scale`, by what it is before that is rounded.
+fn nearest(number: f64, scale: f64) -> f64 {
+    let product = number * scale;
+    let lost = number.mul_add(scale, -product);
+    let is_half = (product - product.floor() - 0.5).abs() < f64::EPSILON;
+    match is_half {
+        true if lost < 0.0 => product.floor(),
+        true if lost > 0.0 => product.ceil(),
+        _ => product.round_ties_even(),
+    }
 }
 
 impl Rounded {
@@ -58,6 +77,7 @@ impl Rounded {
                     Halves::Up => f64::from(single.round()),
                     Halves::ToEven => f64::from(single.round_ties_even()),
                     Halves::AsTheyAre => (weight * scale).round_ties_even(),
+                    Halves::AsDoubles => nearest(as_double(weight), scale),
                 };
                 rounded / scale
             }
@@ -133,4 +153,24 @@ pub enum Kept {
     Last,
     /// Those of at least this, in single precision.
     From(f64),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_go_where_languages_have_them_go() {
+        let rounded = |weight: f32, halves| Rounded::ToDigits(1, halves).weight(f64::from(weight));
+        // 0.15 is a little more in single precision, and a little less in double precision; 0.25 is itself in both.
+        for (halves, expected) in [
+            (Halves::Up, [0.2, 0.3, 0.4]),
+            (Halves::ToEven, [0.2, 0.2, 0.4]),
+            (Halves::AsTheyAre, [0.2, 0.2, 0.3]),
+            (Halves::AsDoubles, [0.1, 0.2, 0.3]),
+        ] {
+            let found = [0.15, 0.25, 0.35].map(|weight| rounded(weight, halves));
+            assert_eq!(found, expected, "{halves:?}");
+        }
+    }
 }

@@ -916,8 +916,27 @@ fn weights_that_are_rounded_are_named() {
             },
             "to two digits after the point",
         ),
+        // As Python does: 0.15 is less than a half in double precision, and more in single precision.
+        (
+            |row| {
+                let double = |weight: &f32| weight.to_string().parse::<f64>().unwrap();
+                row.iter()
+                    .map(|weight| format!("{:.1}", double(weight)).parse().unwrap())
+                    .collect()
+            },
+            "to one digit after the point",
+        ),
     ] {
-        assert_named(&of(&Student { row, ..RIGHT }, 82), "weights-rounded", how);
+        let figure = Figure::builtin("adult", turned(82));
+        let mut rows = figure.rows.clone();
+        let changed = rows.iter_mut().flatten().filter(|weight| **weight > 0.149);
+        changed
+            .filter(|weight| **weight < 0.151)
+            .for_each(|weight| *weight = 0.15);
+        let figure = figure.with_rows(rows);
+        let student = Student { row, ..RIGHT };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_named(&found, "weights-rounded", how);
     }
 }
 
