@@ -12,6 +12,9 @@ const INSIDE: f32 = 0.1;
 /// large that is: a lizard whose tail looks out behind a man does, a rider on a horse does not.
 const MOSTLY_INSIDE: f32 = 0.5;
 
+/// The same from which on it shows that one reaches into the other.
+const SHOWS: f32 = 0.05;
+
 /// Least volume of what a figure does not stand in, relative to its own, though it is no figure: a lamp or a sword in a hand
 /// has less.
 const LARGE: f32 = 0.05;
@@ -24,32 +27,52 @@ pub(super) struct Stander {
 }
 
 /// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none
-/// of those that are there.
+/// of those that are there. What is moved at all does not come to where it would reach into another one a little, either.
 pub(super) fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
     let gap = GAP * bounds.size().dot(along);
     let after = |other: &Stander| (other.bounds.max - bounds.min).dot(along) + gap;
     let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
     ways.sort_by(f32::total_cmp);
-    let ways = std::iter::once(0.0).chain(ways);
-    let ways = ways.map(|way| along * way);
-    let mut free = ways.filter(|&way| {
+    if !there.iter().any(|other| stands_in(bounds, other)) {
+        return Vec3::ZERO;
+    }
+    let mut free = ways.into_iter().map(|way| along * way).filter(|&way| {
         let moved = moved(bounds, way);
-        !there.iter().any(|other| stands_in(&moved, other))
+        let is_there = |other: &Stander| stands_in(&moved, other) || reaches_into(&moved, other);
+        !there.iter().any(is_there)
     });
     free.next().unwrap_or(Vec3::ZERO)
 }
 
 /// Whether a figure and what is there stand in one another. A figure is in a room, but not in another figure.
 fn stands_in(figure: &Aabb, other: &Stander) -> bool {
-    let volume = |size: Vec3| size.max(Vec3::ZERO).element_product();
     let (a, b) = (figure, &other.bounds);
-    let common = a.max.min(b.max) - a.min.max(b.min);
     let larger = volume(a.size()).max(volume(b.size()));
-    let is_within = || common.cmpge(MOSTLY_INSIDE * a.size().min(b.size())).all();
+    volume(common(a, b)) > INSIDE * larger || share_each_side(figure, other, MOSTLY_INSIDE)
+}
+
+/// Whether they have so much in common that it shows.
+fn reaches_into(figure: &Aabb, other: &Stander) -> bool {
+    share_each_side(figure, other, SHOWS)
+}
+
+/// Whether a figure and another one, or something large that is no room about it, have this `share` of the shorter side in
+/// common in each direction.
+fn share_each_side(figure: &Aabb, other: &Stander, share: f32) -> bool {
+    let (a, b) = (figure, &other.bounds);
     // A room goes beyond the figure on all sides.
     let is_around = || b.min.cmple(a.min).all() && b.max.cmpge(a.max).all();
     let is_large = || volume(b.size()) >= LARGE * volume(a.size()) && !is_around();
-    volume(common) > INSIDE * larger || (other.is_solid || is_large()) && is_within()
+    let shorter = a.size().min(b.size());
+    (other.is_solid || is_large()) && common(a, b).cmpge(share * shorter).all()
+}
+
+fn common(a: &Aabb, b: &Aabb) -> Vec3 {
+    a.max.min(b.max) - a.min.max(b.min)
+}
+
+fn volume(size: Vec3) -> f32 {
+    size.max(Vec3::ZERO).element_product()
 }
 
 /// The bounds of a curve, as deep as it is wide: what is made of it takes up as much, and a flat one would stand in
@@ -124,6 +147,17 @@ mod tests {
         let far = boxed([9.0, 0.0, -0.5], [9.5, 2.0, 0.5]);
         let way = way_out(&own, &[far, own]);
         assert!((way.x - 1.1).abs() < 1e-5, "{way}");
+    }
+
+    #[test]
+    fn what_is_moved_does_not_come_to_where_it_reaches_into_a_third_one() {
+        let own = boxed([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]);
+        let long = boxed([2.4, -1.0, -1.0], [16.4, 2.0, 1.0]);
+        // Where it is, reaching into the other a little is as its file has it.
+        let own_there = moved(&own, Vec3::X * 2.2);
+        assert_eq!(way_among(&own_there, &[long], true), Vec3::ZERO);
+        let way = way_among(&own, &[own, long], true);
+        assert!((way.x - 17.6).abs() < 1e-5, "{way}");
     }
 
     #[test]

@@ -65,18 +65,15 @@ impl Program {
     }
 
     /// View of a document of `shapes` that has none of its own. What is compared with a picture, and
-    /// the course's characters, are seen as in the course's editor; all else in neutral colors, from
+    /// the course's characters unless another look is chosen for what is opened, are seen as in the course's editor; all else in neutral colors, from
     /// the front. The camera is still to be fitted then: see [`Program::show_whole`].
     pub(super) fn first_view(&self, shapes: &mut [NewShape], compared: bool) -> ViewSettings {
         if compared {
             return ViewSettings::default();
         }
-        if shapes.iter().any(is_of_the_course) {
-            let look = self.ui.look_of_new.unwrap_or(Look::Course);
-            return ViewSettings {
-                look,
-                ..ViewSettings::default()
-            };
+        let look = self.ui.look_of_new.unwrap_or(Look::Course);
+        if look == Look::Course && shapes.iter().any(is_of_the_course) {
+            return ViewSettings::default();
         }
         let mut view = self.view_without_scene();
         // Who has the Virtual Mannequin's keys from the document before, without having chosen them, goes on
