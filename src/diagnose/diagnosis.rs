@@ -69,6 +69,8 @@ pub struct Diagnosis {
     pub agrees: f64,
     /// The same among the vertices that the pose moves; 1 where it moves none.
     pub moved_agree: f64,
+    /// Of a mesh that is nearly right, in words which vertices at an end are where they were before.
+    pub not_reached: Option<String>,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
     /// unless nothing explains the mesh.
     pub regions: Vec<Region>,
@@ -248,6 +250,18 @@ impl Diagnosis {
             findings: Vec::new(),
             ..self
         }
+    }
+
+    /// The same with another mistake beside what gives the mesh.
+    pub(super) fn beside(mut self, mistake: ToldMistake) -> Self {
+        self.verdict = Verdict::Explained;
+        for same in &mut self.same_as {
+            same.push(mistake.id);
+        }
+        self.mistakes.push(mistake);
+        self.causes = all_causes(&self.mistakes, &self.same_as);
+        self.unseen.clear();
+        self
     }
 
     /// Takes into account how triangles differ.

@@ -199,6 +199,9 @@ impl Diagnosis {
         if self.nearly_right() == Some(NearlyRight::ButForFew) {
             found.push(format!("all but {} of its vertices are right", self.off));
         }
+        found.extend(self.not_reached.as_ref().map(|left| {
+            format!("the vertices {left}, as where the loop over them does not come to all")
+        }));
         found
     }
 

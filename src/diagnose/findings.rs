@@ -64,6 +64,7 @@ impl Findings<'_> {
             same_as: Vec::new(),
             others: Vec::new(),
             not_turned: Vec::new(),
+            not_reached: None,
             slight: Vec::new(),
             unseen: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),

@@ -75,6 +75,8 @@ pub const TRIANGLES_TURNED: &str = "triangles-turned";
 pub const TRIANGLES_DIFFER: &str = "triangles-differ";
 /// Name of the mistake that a picture is upside down or mirrored.
 pub const PICTURE_TURNED: &str = "picture-turned";
+/// Name of the mistake of a mesh that is right but mirrored.
+pub const MESH_MIRRORED: &str = "mesh-mirrored";
 
 /// The mistake of vertices that are right but in an order of which no formula is known.
 pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});

@@ -51,23 +51,13 @@ macro_rules! axis_ignored {
 
 macro_rules! sign_flipped {
     ($id:literal, $axis:literal, $index:literal) => {
-        Mistake {
-            id: $id,
-            meaning: concat!("the sign of ", $axis, " is wrong"),
-            section: SLIDERS,
-            look_at: "setJointTransform: the signs of the sines in the rotation, and of the angles; \
-                      then the signs of what is written",
-            readings: &[
-                reading(
-                    concat!("joints turn the other way about ", $axis),
-                    |formula| formula.joint.angles[$index] *= -1.0,
-                ),
-                reading(
-                    concat!("the mesh is mirrored along ", $axis),
-                    |formula| formula.written[$index] *= -1.0,
-                ),
-            ],
-        }
+        one_way!(
+            $id,
+            SLIDERS,
+            concat!("joints turn the other way about ", $axis),
+            "setJointTransform: the signs of the sines in the rotation, and of the angles",
+            |formula| formula.joint.angles[$index] *= -1.0
+        )
     };
 }
 
@@ -371,6 +361,17 @@ pub static MISTAKES: &[Mistake] = &[
     sign_flipped!("sign-flipped-x", "x", 0),
     sign_flipped!("sign-flipped-y", "y", 1),
     sign_flipped!("sign-flipped-z", "z", 2),
+    Mistake {
+        id: super::MESH_MIRRORED,
+        meaning: "the mesh is mirrored",
+        section: SSD,
+        look_at: "where vertices are read and written: the signs of their coordinates",
+        readings: &[
+            reading("along x", |formula| formula.written[0] *= -1.0),
+            reading("along y", |formula| formula.written[1] *= -1.0),
+            reading("along z", |formula| formula.written[2] *= -1.0),
+        ],
+    },
 ];
 
 const fn by(by: JointsBy, has_angles: bool) -> JointOrder {

@@ -64,8 +64,8 @@ pub use job::MeshJob;
 pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};
 pub use mistake::{
-    MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading, TRIANGLES_DIFFER,
-    TRIANGLES_TURNED, VERTEX_MISSING, VERTEX_TOO_MANY,
+    MESH_MIRRORED, MOVED_AS_A_WHOLE, Mistake, PICTURE_TURNED, POSE_NOT_APPLIED, Reading,
+    TRIANGLES_DIFFER, TRIANGLES_TURNED, VERTEX_MISSING, VERTEX_TOO_MANY,
 };
 pub use mistaken::{MistakenMesh, skin_after, skin_by};
 pub use mistakes::MISTAKES;

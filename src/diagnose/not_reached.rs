@@ -1,46 +1,98 @@
-//! Vertices that a program's loop does not come to.
+//! Vertices that a program's loop does not come to, so that they stay where they were.
 
+use super::diagnose_vertices;
+use super::diagnosis::{Diagnosis, ToldMistake, Verdict};
 use super::findings::Findings;
 use super::found_otherwise::VERTICES_NOT_REACHED;
+use super::model::Model;
 use super::nearest::NEARLY_ALL;
-use super::search::Explanation;
-use super::ways::Made;
+use super::vertex_count::with_vertices;
+use crate::character::Pose;
+use crate::steps::Pace;
+use glam::{DVec3, Vec3};
 use std::ops::Range;
 
-/// That the vertices from one on, or those before one, are where they were, if the others are right. Where these are nearly
-/// all, it is told otherwise that the mesh is nearly right.
-pub(super) fn find(findings: &Findings<'_>) -> Option<Explanation> {
-    let off = |index: &usize| findings.is_off(*index);
-    let all = 0..findings.theirs.len();
-    let (first, last) = (all.clone().find(off)?, all.clone().rfind(off)?);
-    let end = last + 1;
-    let ends = [
-        (first..all.end, format!("those from {first} on")),
-        (0..end, format!("those before {end}")),
+/// Vertices at one end of the mesh that are at rest or at the origin, though some of them should not be.
+pub(super) struct NotReached {
+    left: Range<usize>,
+    all: usize,
+    /// Which they are and where, in words.
+    pub(super) told: String,
+}
+
+/// Those of a mesh, of which there are none where all of it is at rest.
+pub(super) fn find(findings: &Findings<'_>) -> Option<NotReached> {
+    let all = findings.theirs.len();
+    let is_at_rest = |index: usize| findings.at_rest(index);
+    let places: [(&dyn Fn(usize) -> DVec3, &str); 2] = [
+        (&is_at_rest, "at rest"),
+        (&|_| DVec3::ZERO, "at the origin"),
     ];
-    let are_few = |left: &Range<usize>| left.len() as f64 <= (1.0 - NEARLY_ALL) * all.len() as f64;
-    let mut ends = ends.into_iter().filter(|(left, _)| !are_few(left));
-    ends.find_map(|(left, which)| {
-        let is_reached = |index: &usize| !left.contains(index);
-        let reached = all
-            .clone()
-            .filter(is_reached)
-            .map(|index| findings.distances[index]);
-        let theirs = |index: usize| findings.theirs[index];
-        let from_rest = |index| theirs(index).distance(findings.at_rest(index));
-        let from_origin = |index| theirs(index).length();
-        let largest =
-            |distance: &dyn Fn(usize) -> f64| left.clone().map(distance).fold(0.0, f64::max);
-        let mut places = [
-            (largest(&from_rest), "at rest"),
-            (largest(&from_origin), "at the origin"),
-        ]
-        .into_iter();
-        let (error, place) = places.find(|(error, _)| *error <= findings.tolerance)?;
-        Some(Explanation {
-            made: vec![Made::by_numbers(&VERTICES_NOT_REACHED)],
-            error: reached.fold(error, f64::max),
-            how: Some(format!("{which}, counted from 0, are {place}")),
+    places.into_iter().find_map(|(place, told)| {
+        let is_there =
+            |index: &usize| findings.theirs[*index].distance(place(*index)) <= findings.tolerance;
+        let is_off = |index: &usize| findings.is_off(*index);
+        let last = (0..all).rev().take_while(is_there).filter(is_off).last();
+        let first = (0..all).take_while(is_there).filter(is_off).last();
+        let ends = [
+            last.map(|from| (from..all, format!("from {from} on"))),
+            first.map(|last| (0..last + 1, format!("before {}", last + 1))),
+        ];
+        let (left, which) = ends
+            .into_iter()
+            .flatten()
+            .find(|(left, _)| left.len() < all)?;
+        Some(NotReached {
+            left,
+            all,
+            told: format!("{which}, counted from 0, are {told}"),
         })
     })
+}
+
+impl NotReached {
+    /// Whether they are so few that the mesh is nearly what the others say.
+    pub(super) fn are_few(&self) -> bool {
+        self.left.len() as f64 <= (1.0 - NEARLY_ALL) * self.all as f64
+    }
+
+    /// The diagnosis of the mesh if the others are right, or what mistakes give.
+    pub(super) async fn explained(
+        self,
+        findings: &Findings<'_>,
+        pose: &Pose,
+        pace: &Pace,
+    ) -> Option<Diagnosis> {
+        let reached = match self.left.start {
+            0 => self.left.end..self.all,
+            start => 0..start,
+        };
+        let lacking = with_vertices(findings.model.character, reached.clone())?;
+        let theirs = findings.theirs[reached.clone()].iter();
+        let theirs: Vec<Vec3> = theirs.map(|place| place.as_vec3()).collect();
+        let model = Model::new(&lacking);
+        let others = Box::pin(diagnose_vertices(&model, pose, &theirs, pace)).await;
+        let others = others
+            .ok()
+            .filter(|others| matches!(others.verdict, Verdict::Right | Verdict::Explained))?;
+        let whole = findings.diagnosis(Verdict::Explained);
+        let first = others.first.map(|mut first| {
+            first.vertex += reached.start;
+            first
+        });
+        let explained = Diagnosis {
+            first: first.or(whole.first),
+            error: others.error,
+            mistakes: others.mistakes,
+            same_as: others.same_as,
+            others: others.others,
+            slight: others.slight,
+            coarse: others.coarse,
+            ..whole
+        };
+        Some(explained.beside(ToldMistake {
+            how: format!("those {}", self.told).into(),
+            ..ToldMistake::whole(&VERTICES_NOT_REACHED)
+        }))
+    }
 }

@@ -46,10 +46,16 @@ pub(super) async fn find(
     if let Some(other) = other {
         return findings.of_other_pose(other);
     }
-    if let Some(explanation) = not_reached::find(findings) {
-        return findings.simplest(vec![explanation], pose);
-    }
     if order == VertexOrder::File {
+        match not_reached::find(findings) {
+            Some(left) if left.are_few() => found.not_reached = Some(left.told),
+            Some(left) => {
+                if let Some(explained) = left.explained(findings, pose, pace).await {
+                    return explained;
+                }
+            }
+            None => {}
+        }
         let reordered = any_order::beside_mistakes(search, pace).await;
         if !reordered.is_empty() {
             return findings.simplest(reordered, pose);

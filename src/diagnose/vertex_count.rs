@@ -1,6 +1,6 @@
 //! Meshes with one vertex more or fewer than the character has.
 
-use super::diagnosis::{ToldMistake, all_causes};
+use super::diagnosis::ToldMistake;
 use super::found_otherwise::{VERTEX_MISSING, VERTEX_TOO_MANY};
 use super::mistake::Mistake;
 use super::{Diagnosis, Verdict};
@@ -60,19 +60,7 @@ impl Miscount {
             Self::WithoutLast => 0..last,
             Self::WithoutFirst => 1..last + 1,
         };
-        let triangles = bind.triangles.iter().filter_map(|corners| {
-            let is_kept = corners
-                .iter()
-                .all(|&corner| kept.contains(&(corner as usize)));
-            is_kept.then(|| corners.map(|corner| corner - kept.start as u32))
-        });
-        let mesh = Mesh::new(bind.positions[kept.clone()].to_vec(), triangles.collect());
-        let mut attachments = Attachments::new();
-        for vertex in kept.clone() {
-            let influences = character.attachments().of_vertex(vertex);
-            attachments.push_vertex(influences.iter().copied());
-        }
-        Character::new(character.skeleton().clone(), attachments, mesh).ok()
+        with_vertices(character, kept)
     }
 
     /// The diagnosis of a mesh with it, from that of the others: where these are known to be right or what a mistake
@@ -90,19 +78,30 @@ impl Miscount {
             Self::WithoutLast => (&VERTEX_MISSING, "the last"),
             Self::WithoutFirst => (&VERTEX_MISSING, "the first"),
         };
-        found.verdict = Verdict::Explained;
-        found.mistakes.push(ToldMistake {
-            how: how.into(),
-            ..ToldMistake::whole(mistake)
-        });
-        for same in &mut found.same_as {
-            same.push(mistake.id);
-        }
-        found.causes = all_causes(&found.mistakes, &found.same_as);
         if let (Self::BeforeFirst, Some(first)) = (self, &mut found.first) {
             first.vertex += 1;
         }
-        found.unseen.clear();
-        Some(found)
+        Some(found.beside(ToldMistake {
+            how: how.into(),
+            ..ToldMistake::whole(mistake)
+        }))
     }
+}
+
+/// The character with these vertices alone, and the triangles between them; `None` if that is none.
+pub(super) fn with_vertices(character: &Character, kept: Range<usize>) -> Option<Character> {
+    let bind = character.bind_mesh();
+    let triangles = bind.triangles.iter().filter_map(|corners| {
+        let is_kept = corners
+            .iter()
+            .all(|&corner| kept.contains(&(corner as usize)));
+        is_kept.then(|| corners.map(|corner| corner - kept.start as u32))
+    });
+    let mesh = Mesh::new(bind.positions[kept.clone()].to_vec(), triangles.collect());
+    let mut attachments = Attachments::new();
+    for vertex in kept {
+        let influences = character.attachments().of_vertex(vertex);
+        attachments.push_vertex(influences.iter().copied());
+    }
+    Character::new(character.skeleton().clone(), attachments, mesh).ok()
 }

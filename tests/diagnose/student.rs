@@ -407,13 +407,13 @@ pub const WRONG: &[Wrong] = &[
     wrong("sign-flipped-z", "slider", |s| {
         s.slider = |a| Vec3::new(a.x, a.y, -a.z)
     }),
-    wrong("sign-flipped-x", "write", |s| {
+    wrong("mesh-mirrored", "write", |s| {
         s.write = |v| Vec3::new(-v.x, v.y, v.z)
     }),
-    wrong("sign-flipped-y", "write", |s| {
+    wrong("mesh-mirrored", "write", |s| {
         s.write = |v| Vec3::new(v.x, -v.y, v.z)
     }),
-    wrong("sign-flipped-z", "write", |s| {
+    wrong("mesh-mirrored", "write", |s| {
         s.write = |v| Vec3::new(v.x, v.y, -v.z)
     }),
 ];

@@ -336,7 +336,7 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
     let figure = adult();
     let right = RIGHT.skin(&figure);
     let half = right.len() / 2;
-    let with = |left: std::ops::Range<usize>, at: &dyn Fn(usize) -> Vec3| {
+    let without = |left: std::ops::Range<usize>, at: &dyn Fn(usize) -> Vec3| {
         let mut theirs = right.clone();
         left.for_each(|index| theirs[index] = at(index));
         figure.diagnose(&written(&theirs, 6))
@@ -344,15 +344,15 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
     let at_rest = |index: usize| figure.positions[index];
     for (found, how) in [
         (
-            with(half..right.len(), &at_rest),
+            without(half..right.len(), &at_rest),
             format!("those from {half} on, counted from 0, are at rest"),
         ),
         (
-            with(half..right.len(), &|_| Vec3::ZERO),
+            without(half..right.len(), &|_| Vec3::ZERO),
             format!("those from {half} on, counted from 0, are at the origin"),
         ),
         (
-            with(0..half, &at_rest),
+            without(0..half, &at_rest),
             format!("those before {half}, counted from 0, are at rest"),
         ),
     ] {
@@ -360,15 +360,35 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
         assert_eq!(found.mistakes[0].how, how);
         assert!(found.error < 1e-5 && found.same_as.is_empty(), "{found}");
     }
-    // Vertices in between, and single ones at the end, are no loop's.
-    let found = with(half..half + 500, &at_rest);
+    // Beside another mistake as well.
+    let mut theirs = with(&["euler-zyx"]).skin(&figure);
+    theirs[half..].copy_from_slice(&figure.positions[half..]);
+    let found = figure.diagnose(&written(&theirs, 6));
+    assert_eq!(
+        found.together(),
+        ["euler-zyx", "vertices-not-reached"],
+        "{found}"
+    );
+    assert!(
+        found
+            .first
+            .as_ref()
+            .is_some_and(|first| first.vertex < half)
+    );
+    // Vertices in between are no loop's, and few of them are told as what is nearly right.
+    let found = without(half..half + 500, &at_rest);
     assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
-    let found = with(right.len() - 1..right.len(), &at_rest);
+    assert_eq!(found.not_reached, None);
+    let last = right.len() - 1;
+    let found = without(last..last + 1, &at_rest);
     assert_eq!(
         found.nearly_right(),
         Some(NearlyRight::ButForFew),
         "{found}"
     );
+    let left = format!("from {last} on, counted from 0, are at rest");
+    assert_eq!(found.not_reached.as_ref(), Some(&left));
+    assert!(found.to_string().contains(&left), "{found}");
 }
 
 #[test]

@@ -359,7 +359,7 @@ mod tests {
         );
         assert_eq!(spoken("matrix-transposed", 3)[0], "v' = Σ w · Tᵀ · B⁻¹ · v");
         assert_eq!(
-            spoken("sign-flipped-x", 1)[0],
+            spoken("mesh-mirrored", 0)[0],
             "v' = mirror x · Σ w · T · B⁻¹ · v"
         );
     }
