@@ -308,7 +308,7 @@ mod tests {
     #[test]
     fn lines_that_cannot_be_read_are_left_out_of_a_library_and_no_others() {
         let files = |mtl: &str| HashMap::from([(PathBuf::from("a.mtl"), mtl.as_bytes().to_vec())]);
-        let obj = format!("mtllib a.mtl\n{SQUARE}usemtl a\nf 1 2 3\n");
+        let obj = format!("mtllib a.mtl\n{SQUARE}usemtl a\nf 1 2 3 4\n");
         let mtl = "Kd 1 1 1\nnewmtl a\nKd 0 1 0\nKd 1 0\nmap_Kd\nillum\n";
         let read = read_shape_obj(&files(mtl), Path::new("a.obj"), obj.as_bytes()).unwrap();
         assert_eq!(read.value.groups[0].material.color, Vec3::Y);
@@ -341,7 +341,7 @@ mod tests {
         let table = HashMap::from([(PathBuf::from("a.mtl"), MTL.as_bytes().to_vec())]);
         let files = Counted(table, Default::default());
         let libraries = ["mtllib a.mtl\n", "mtllib gone.mtl\n"].map(|line| line.repeat(100));
-        let obj = libraries.concat() + SQUARE + "usemtl red\nf 1 2 3\n";
+        let obj = libraries.concat() + SQUARE + "usemtl red\nf 1 2 3 4\n";
         let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
         assert_eq!(
             files.1.into_inner().unwrap(),
@@ -367,11 +367,24 @@ mod tests {
             (&["a", "copy", "a", "b", "b"], Vec3::Y),
         ] {
             let lines = names.iter().map(|name| format!("mtllib {name}.mtl\n"));
-            let obj = lines.collect::<String>() + SQUARE + "usemtl a\nf 1 2 3\n";
+            let obj = lines.collect::<String>() + SQUARE + "usemtl a\nf 1 2 3 4\n";
             let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
             assert_eq!(read.value.groups[0].material.color, expected, "{names:?}");
             assert_eq!(read.warnings.len(), 2, "one for each content: {names:?}");
         }
+    }
+
+    #[test]
+    fn vertices_that_no_face_uses_are_left_out_and_counted() {
+        let read = |faces: &str| {
+            let obj = SQUARE.to_owned() + faces;
+            let files = HashMap::<PathBuf, Vec<u8>>::new();
+            let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
+            (read.value.positions.len(), told(&read.warnings))
+        };
+        let left_out = "a.obj: 1 of its 4 vertices is in no face, and left out";
+        assert_eq!(read("f 1 2 3\n"), (3, vec![left_out.to_owned()]));
+        assert_eq!(read("f 1 2 3 4\n"), (4, Vec::new()));
     }
 
     #[test]

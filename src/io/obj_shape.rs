@@ -34,10 +34,16 @@ impl Shape {
             mtl::with_pictures(files, path, self.libraries.into_materials());
         let of_names = self.names.iter().map(|name| materials.get(&name.text));
         let of_names: Vec<Option<&Material>> = of_names.collect();
-        let mesh = self
-            .data
-            .mesh(self.faces, &self.uses, &of_names, pace)
-            .await;
+        let (mut data, mut faces) = (self.data, self.faces);
+        let all = data.positions.len();
+        faces.keep_used(&mut data.positions);
+        let unused = all - data.positions.len();
+        if unused > 0 {
+            let are = if unused == 1 { "is" } else { "are" };
+            let text = format!("{unused} of its {all} vertices {are} in no face, and left out");
+            warnings.push_with(|| Diagnostic::new(path, text));
+        }
+        let mesh = data.mesh(faces, &self.uses, &of_names, pace).await;
         // If a library is missing, which has a warning of its own, so may the material be.
         if !self.materials_missing {
             let unknown = self.names.iter().zip(&of_names);
@@ -81,15 +87,14 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// The mesh of `faces`; `materials` are those that `uses` name.
+    /// The mesh of `faces`, which use all positions; `materials` are those that `uses` name.
     async fn mesh(
-        mut self,
-        mut faces: Faces,
+        self,
+        faces: Faces,
         uses: &[Use],
         materials: &[Option<&Material>],
         pace: &Pace,
     ) -> Mesh {
-        faces.keep_used(&mut self.positions);
         pace.after(STRETCH).await;
         let mut assembly = Assembly {
             builder: MeshBuilder::over(self.positions),
