@@ -10,7 +10,9 @@ use super::mesh_programs::MeshPrograms;
 use super::shown_triangles::Purpose;
 use super::skeleton_pass::SkeletonPass;
 use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate};
-use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
+use crate::scene::{
+    CurveVisibility, EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility,
+};
 use glam::Vec3;
 use std::ops::Range;
 
@@ -90,7 +92,12 @@ impl OutlinePass {
                     {
                         skeletons.draw_mask(context, frame, evaluated, color)?;
                     }
-                    ShapeKind::Curve(_) => draw_curve_mask(immediate, context, evaluated, color),
+                    // A line round curves would cover their frames; their control points show which ones are selected.
+                    ShapeKind::Curve(curve)
+                        if curve.display.curve != CurveVisibility::OnWithFrames =>
+                    {
+                        draw_curve_mask(immediate, context, evaluated, color);
+                    }
                     _ => {}
                 }
             }

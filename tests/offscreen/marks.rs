@@ -263,6 +263,23 @@ fn a_selected_skeleton_and_a_selected_curve_are_outlined_where_they_are() {
 }
 
 #[test]
+fn frames_of_a_selected_curve_are_not_covered_by_an_outline() {
+    on_each_backend(|gl| {
+        let outlined = |visibility| {
+            let mut curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
+            curve.display.curve = visibility;
+            let mut scene = Scene::new();
+            let id = scene.add(NewShape::new("Wire", ShapeKind::Curve(curve)));
+            let picture = draw(gl, &scene, selected(id));
+            let pixels = picture.rgba.as_chunks::<4>().0.iter();
+            pixels.filter(|&&pixel| is_selected_outline(pixel)).count()
+        };
+        assert!(outlined(CurveVisibility::On) > 50);
+        assert_eq!(outlined(CurveVisibility::OnWithFrames), 0);
+    });
+}
+
+#[test]
 fn a_selected_skeleton_is_outlined_along_the_bones_that_its_look_draws() {
     let joint = |parent: Option<usize>, offset: Vec3, tip: Vec3| Joint {
         parent,
