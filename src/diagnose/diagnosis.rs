@@ -69,6 +69,9 @@ pub struct Diagnosis {
     pub agrees: f64,
     /// The same among the vertices that the pose moves; 1 where it moves none.
     pub moved_agree: f64,
+    /// Whether it is the mesh at rest as the character's file has it, where that is asked for: nearly right, since the
+    /// weights do not quite sum to 1.
+    pub is_as_in_file: bool,
     /// Of a mesh that is nearly right, in words which vertices at an end are where they were before.
     pub not_reached: Option<String>,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty

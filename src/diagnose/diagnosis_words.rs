@@ -184,6 +184,8 @@ impl Diagnosis {
         let close = self.nearly_right() == Some(NearlyRight::Close);
         let close = close.then(|| within_everywhere(self.error_from_exact));
         let mut found: Vec<String> = close.into_iter().collect();
+        let as_in_file = "it is the mesh at rest as the character's file has it, not skinned";
+        found.extend(self.is_as_in_file.then(|| as_in_file.to_owned()));
         found.extend(self.findings.iter().map(ToString::to_string));
         found.extend(self.coarse.map(|coarse| coarse.to_string()));
         if let Some(same) = self.faces.same {

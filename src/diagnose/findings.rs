@@ -65,6 +65,7 @@ impl Findings<'_> {
             others: Vec::new(),
             not_turned: Vec::new(),
             not_reached: None,
+            is_as_in_file: false,
             slight: Vec::new(),
             unseen: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
@@ -87,6 +88,14 @@ impl Findings<'_> {
             regions: self.regions(),
             other_pose: Some(other),
             ..self.diagnosis(Verdict::OtherPose)
+        }
+    }
+
+    /// The diagnosis of the file's own mesh at rest, which nobody can tell from the skinned one.
+    pub(super) fn as_the_file_has_it(&self) -> Diagnosis {
+        Diagnosis {
+            is_as_in_file: true,
+            ..self.diagnosis(Verdict::Unexplained)
         }
     }
 

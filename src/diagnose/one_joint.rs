@@ -103,10 +103,18 @@ impl Lines<'_> {
         let least = found.first()?.0.error;
         let enough = as_good(least, size);
         let good = found.iter().filter(|(one, _)| one.error <= enough);
-        let told: Vec<String> = good
-            .map(|(_, other)| self.on_another_parent(*other))
-            .take(TOLD)
-            .collect();
+        let mut good: Vec<OtherJoint> = good.map(|(_, other)| *other).collect();
+        // Stable: a line is mistaken for one near by.
+        good.sort_by_key(|other| self.steps_from_parent(*other));
+        let told = good.iter().take(TOLD);
+        let mut told: Vec<String> = told.map(|other| self.on_another_parent(*other)).collect();
+        let more = good.len() - told.len();
+        if more > 0 {
+            let others = if more == 1 { "other" } else { "others" };
+            told.push(format!(
+                "on {more} {others} that give the same in this pose"
+            ));
+        }
         let (mut explanation, _) = found.swap_remove(0);
         explanation.how = Some(told.join(", or "));
         Some(explanation)
@@ -186,6 +194,19 @@ impl Lines<'_> {
             off
         };
         Some((off, is_ambiguous))
+    }
+
+    /// Number of joints on the way from the right parent to the wrong one.
+    fn steps_from_parent(&self, other: OtherJoint) -> usize {
+        let joints = self.0.search.model.skeleton().joints();
+        let up = |joint: Option<usize>| {
+            let line = std::iter::successors(joint, |&joint| joints[joint].parent);
+            line.map(Some).chain([None]).collect::<Vec<_>>()
+        };
+        let (wrong, right) = (up(other.parent), up(joints[other.joint].parent));
+        let common = wrong.iter().rev().zip(right.iter().rev());
+        let common = common.take_while(|(a, b)| a == b).count();
+        wrong.len() + right.len() - 2 * common
     }
 
     fn on_another_parent(&self, other: OtherJoint) -> String {

@@ -9,6 +9,7 @@ const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 
 const NONE: Modifiers = Modifiers::NONE;
 const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
 const CTRL: Modifiers = Modifiers::COMMAND;
 
 /// Each key with why it does nothing. Those that add a shape in other navigations say how that is done in this one.
@@ -19,6 +20,9 @@ pub(super) const NOT_HERE: &[(KeyboardShortcut, &str)] = &[
     (key(NONE, Key::Num5), "The camera is always in perspective: there is no orthographic view"),
     (key(NONE, Key::Slash), "There is no local view: Edit ⏵ Hide Others leaves what is selected, Show All brings the rest back"),
     (key(NONE, Key::Z), "Shading, colors and looks are chosen in View, looks also beside the axes"),
+    (key(SHIFT, Key::Z), "There is no wireframe: View ⏵ Shading ⏵ Flat shows the triangles"),
+    (key(ALT, Key::Z), "There is no X-ray: Model Display Mode in the panel shows the skeleton in the mesh"),
+    (key(NONE, Key::C), "There is no circle to select with: a drag beside all shapes selects with a box"),
     (key(NONE, Key::Backtick), "There is no menu of views: 1, 3 and 7 look from the front, the right and above, with Ctrl from the other side"),
     (key(NONE, Key::OpenBracket), OTHER_JOINTS),
     (key(NONE, Key::CloseBracket), OTHER_JOINTS),

@@ -4,7 +4,7 @@ use crate::diagnose::figures::{Figure, turned, written, written_in_all};
 use crate::diagnose::student::RIGHT;
 use crate::reference_data::{course, course_pose, posed};
 use editor_core::character::Pose;
-use editor_core::diagnose::{Diagnosis, Verdict};
+use editor_core::diagnose::{Diagnosis, NearlyRight, Verdict};
 use glam::Vec3;
 
 #[track_caller]
@@ -134,6 +134,24 @@ fn what_the_course_s_own_program_gives_is_right() {
             assert_right(&figure.diagnose(&written(&theirs, digits)), name);
         }
     }
+}
+
+#[test]
+fn at_rest_the_mesh_of_the_file_is_nearly_right_whatever_its_weights_sum_to() {
+    let figure = Figure::builtin("adult", |_| Vec3::ZERO);
+    let rows = figure.rows.clone().into_iter();
+    let rows = rows.map(|row| row.iter().map(|weight| weight * 1.0004).collect());
+    let figure = figure.with_rows(rows.collect());
+    let found = figure.diagnose(&figure.positions);
+    assert_eq!(found.nearly_right(), Some(NearlyRight::Close), "{found}");
+    assert!(found.is_as_in_file && found.causes.is_empty(), "{found}");
+    let told = "it is the mesh at rest as the character's file has it, not skinned";
+    assert!(found.to_string().contains(told), "{found}");
+    // What is skinned is right, and in a pose the same mesh is one that is not posed.
+    assert_right(&figure.diagnose(&RIGHT.skin(&figure)), "skinned");
+    let posed = Figure::builtin("adult", turned(5)).with_rows(figure.rows);
+    let found = posed.diagnose(&posed.positions);
+    assert_eq!(found.causes[0], "pose-not-applied", "{found}");
 }
 
 #[test]

@@ -46,6 +46,35 @@ fn a_joint_that_hangs_on_a_wrong_parent_is_named_with_both_parents() {
 }
 
 #[test]
+fn of_parents_that_give_the_same_those_next_to_the_right_one_are_told_and_how_many_others_there_are()
+ {
+    let (elbow, shoulder, collarbone) = (17, 16, 15);
+    // The joints above the limbs are not turned, so that what hangs on any of them is where it hangs on the collarbone.
+    let pose = |joint: usize| match joint {
+        5..=11 | 13 | 14 | 16 => turned(51)(joint),
+        _ => Vec3::ZERO,
+    };
+    let figure = Figure::builtin("adult", pose);
+    let mut wrong = Figure::builtin("adult", pose);
+    assert_eq!(figure.parents[elbow], Some(shoulder));
+    wrong.parents[elbow] = Some(collarbone);
+    let found = figure.diagnose(&RIGHT.skin(&wrong));
+    let told = found.mistakes.iter().chain(&found.others);
+    let mut told = told.filter(|mistake| mistake.id == "one-wrong-parent");
+    let how = told
+        .next()
+        .unwrap_or_else(|| panic!("{found}"))
+        .how
+        .to_string();
+    let first = "Left elbow (17) on Left collarbone (15) instead of Left shoulder (16), or ";
+    assert!(how.starts_with(first), "{how}");
+    assert!(
+        how.ends_with(" others that give the same in this pose"),
+        "{how}"
+    );
+}
+
+#[test]
 fn a_joint_with_a_wrong_offset_is_named_with_both_offsets() {
     let figure = Figure::builtin("adult", turned(52));
     let joints = figure.character.skeleton().joints();

@@ -254,7 +254,8 @@ impl Parts<'_> {
 
     /// Whether theirs is the mesh of the character's file, of a character at rest that is not quite so once it is skinned.
     fn is_as_in_file(&self, diagnosis: &Diagnosis) -> bool {
-        self.lacks_pose(diagnosis) && diagnosis.together() == [POSE_NOT_APPLIED]
+        let is_file = diagnosis.is_as_in_file || diagnosis.together() == [POSE_NOT_APPLIED];
+        self.lacks_pose(diagnosis) && is_file
     }
 
     /// The vertex that shows what is wrong, as far as that is known.
