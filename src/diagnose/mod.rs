@@ -274,7 +274,10 @@ async fn diagnose_vertices(
     }
     if explanations.is_empty() {
         let found = otherwise::find(&search, &findings, (alone, coarse), &written, pace).await;
-        return Ok(Diagnosis { coarse, ..found });
+        return Ok(Diagnosis {
+            coarse: found.coarse.or(coarse),
+            ..found
+        });
     }
     Ok(Diagnosis {
         coarse,

@@ -51,6 +51,14 @@ pub(super) fn find(findings: &Findings<'_>) -> Option<NotReached> {
 }
 
 impl NotReached {
+    /// Whether all vertices of the mesh that are off are among them.
+    pub(super) fn are_all_off(&self, findings: &Findings<'_>) -> bool {
+        let is_off = |index: &usize| findings.is_off(*index);
+        (0..self.all)
+            .filter(is_off)
+            .all(|index| self.left.contains(&index))
+    }
+
     /// Whether they are so few that the mesh is nearly what the others say.
     pub(super) fn are_few(&self) -> bool {
         self.left.len() as f64 <= (1.0 - NEARLY_ALL) * self.all as f64

@@ -1,8 +1,9 @@
 //! What is found out about a mesh that no mistakes give in the order of its vertices, alone or by two.
 
-use super::diagnosis::{Diagnosis, Verdict};
+use super::diagnosis::{Diagnosis, NearlyRight, Verdict};
 use super::findings::Findings;
 use super::formula::VertexOrder;
+use super::not_reached::NotReached;
 use super::precision::{Coarse, Written};
 use super::search::{Alone, Search};
 use super::{any_order, nearest, not_reached, other_pose, placed};
@@ -46,9 +47,10 @@ pub(super) async fn find(
     if let Some(other) = other {
         return findings.of_other_pose(other);
     }
+    let mut few_left = None;
     if order == VertexOrder::File {
         match not_reached::find(findings) {
-            Some(left) if left.are_few() => found.not_reached = Some(left.told),
+            Some(left) if left.are_few() => few_left = Some(left),
             Some(left) => {
                 if let Some(explained) = left.explained(findings, pose, pace).await {
                     return explained;
@@ -63,5 +65,11 @@ pub(super) async fn find(
     }
     alone.extend(search.near_whole_program(pace).await);
     found.nearest = nearest::find(search, model, pose, order, &alone);
+    // Of a mesh that is off elsewhere, too, an end that is at rest says nothing.
+    let is_told = |left: &NotReached| match found.nearly_right() {
+        Some(NearlyRight::ButForFew) => left.are_all_off(findings),
+        nearly => matches!(nearly, Some(NearlyRight::ButForFewWith(_))),
+    };
+    found.not_reached = few_left.filter(is_told).map(|left| left.told);
     found
 }

@@ -389,6 +389,16 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
     let left = format!("from {last} on, counted from 0, are at rest");
     assert_eq!(found.not_reached.as_ref(), Some(&left));
     assert!(found.to_string().contains(&left), "{found}");
+    // Where vertices all over the mesh are at rest, the last one says nothing.
+    let mut theirs = right.clone();
+    for index in (1..theirs.len()).step_by(2) {
+        theirs[index] = figure.positions[index];
+    }
+    let found = figure.diagnose(&written(&theirs, 6));
+    assert_eq!(
+        (found.verdict, found.not_reached),
+        (Verdict::Unexplained, None)
+    );
 }
 
 #[test]
