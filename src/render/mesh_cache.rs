@@ -204,12 +204,10 @@ impl MeshCache {
 
     /// Height of the ground in the world: the lowest point of the visible meshes and curves, but not
     /// above the origin. At rest, and no lower than each was inserted, so that the ground stays where it is while a
-    /// character is posed or a shape is moved below it. Where all are hidden it is where they had it.
+    /// character is posed or a shape is moved below it.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
-        let shapes = evaluated.shapes.iter();
-        let all_hidden = shapes.clone().all(|shape| !shape.visible);
-        let counted = shapes.filter(|shape| shape.visible || all_hidden);
-        let lowest = counted.filter_map(|shape| {
+        let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
+        let lowest = visible.filter_map(|shape| {
             if self.meshes.is_refused(shape.id) {
                 return None;
             }

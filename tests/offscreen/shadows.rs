@@ -67,25 +67,6 @@ fn a_shape_above_the_ground_darkens_it_away_from_the_light_and_softly() {
 }
 
 #[test]
-fn the_ground_stays_where_it_is_when_all_shapes_are_hidden() {
-    on_each_backend(|gl| {
-        let visible = cube_at(0.0);
-        let mut hidden = visible.clone();
-        let id = hidden.shapes()[0].id;
-        hidden.shape_mut(id).expect("the cube").visible = false;
-        let [visible, hidden, empty] =
-            [visible, hidden, Scene::new()].map(|scene| draw(gl, &scene, &studio(), Skinning::Cpu));
-        // The lowest rows show the ground alone, before the cube.
-        let rows = |picture: &Picture| {
-            let start = picture.rgba.len() * 9 / 10;
-            picture.rgba[start..].to_vec()
-        };
-        assert!(rows(&hidden) == rows(&visible));
-        assert!(rows(&hidden) != rows(&empty));
-    });
-}
-
-#[test]
 fn a_thin_shadow_that_is_seen_flat_is_as_dark_in_pictures_of_every_size() {
     let mut view = studio();
     (view.camera.phi, view.camera.radius) = (0.1, 8.0);
