@@ -251,6 +251,9 @@ impl Diagnosis {
             other_pose: None,
             nearest: None,
             findings: Vec::new(),
+            not_turned: Vec::new(),
+            not_reached: None,
+            is_as_in_file: false,
             ..self
         }
     }
@@ -258,6 +261,8 @@ impl Diagnosis {
     /// The same with another mistake beside what gives the mesh.
     pub(super) fn beside(mut self, mistake: ToldMistake) -> Self {
         self.verdict = Verdict::Explained;
+        // In the pose that lacks a joint it is no longer right, either.
+        self.not_turned.clear();
         for same in &mut self.same_as {
             same.push(mistake.id);
         }

@@ -44,26 +44,27 @@ impl fmt::Display for Coarse {
             true => "the exact result",
             false => "numbers",
         };
-        let (step, enough) = (self.rounded_to, self.enough_digits);
-        match self.is_cut_off {
-            true => write!(f, "{what} cut off to {step} instead of rounded")?,
-            false => write!(
-                f,
-                "{what} rounded to {step}, which is too coarse to tell mistakes apart"
-            )?,
+        write!(f, "{what} {}", self.how())?;
+        if !self.is_cut_off {
+            f.write_str(", which is too coarse to tell mistakes apart")?;
         }
+        let enough = self.enough_digits;
         write!(f, ": write at least {enough} digits after the point")
     }
 }
 
 impl Coarse {
-    /// In words what it means for a mesh that mistakes give.
-    pub fn beside_mistakes(&self) -> String {
-        let (step, enough) = (self.rounded_to, self.enough_digits);
-        let how = match self.is_cut_off {
+    fn how(&self) -> String {
+        let step = self.rounded_to;
+        match self.is_cut_off {
             true => format!("cut off to {step} instead of rounded"),
             false => format!("rounded to {step}"),
-        };
+        }
+    }
+
+    /// In words what it means for a mesh that mistakes give.
+    pub fn beside_mistakes(&self) -> String {
+        let (how, enough) = (self.how(), self.enough_digits);
         format!(
             "its numbers are {how}, which may hide smaller mistakes: write at least {enough} digits after the point"
         )

@@ -36,6 +36,8 @@ const OF_MESH: &str = "where the mesh is read: <p> has an index for each input, 
 /// Where the vertices are summed.
 const SUM: &str = "the sum in the vertex shader, and the weights that it is given: every joint that moves the vertex counts, \
                    once and by its weight, as it is in the file";
+/// Where vertices are gone through.
+const LOOP: &str = "the loop over the vertices, which goes from the first one, 0, to the last";
 /// Where a vertex becomes a vector of four.
 const POINT: &str = "the vertex shader: a vertex is a point, the fourth coordinate of which is 1";
 
@@ -79,9 +81,11 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
         Some(BONES),
     ),
     (&["vertex-without-w"], Some(POINT)),
+    (&["vertices-not-reached"], Some(LOOP)),
     (
         &[
             "moved-as-a-whole",
+            "mesh-mirrored",
             "bind-shape-missing",
             "axes-not-converted",
             "angles-about-bones",

@@ -23,11 +23,9 @@ pub(super) struct NotReached {
 /// Those of a mesh, of which there are none where all of it is at rest.
 pub(super) fn find(findings: &Findings<'_>) -> Option<NotReached> {
     let all = findings.theirs.len();
-    let is_at_rest = |index: usize| findings.at_rest(index);
-    let places: [(&dyn Fn(usize) -> DVec3, &str); 2] = [
-        (&is_at_rest, "at rest"),
-        (&|_| DVec3::ZERO, "at the origin"),
-    ];
+    let rest = |index: usize| findings.at_rest(index);
+    let places: [(&dyn Fn(usize) -> DVec3, &str); 2] =
+        [(&rest, "at rest"), (&|_| DVec3::ZERO, "at the origin")];
     places.into_iter().find_map(|(place, told)| {
         let is_there =
             |index: &usize| findings.theirs[*index].distance(place(*index)) <= findings.tolerance;

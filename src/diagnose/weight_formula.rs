@@ -54,11 +54,11 @@ fn as_double(weight: f64) -> f64 {
     (weight as f32).to_string().parse().unwrap_or(weight)
 }
 
-/// The whole number next to `number` times `scale`, by what it is before that is rounded.
-fn nearest(number: f64, scale: f64) -> f64 {
+/// The whole number next to `number` times `scale`, by what that is before it is rounded.
+fn nearest_to_product(number: f64, scale: f64) -> f64 {
     let product = number * scale;
     let lost = number.mul_add(scale, -product);
-    let is_half = (product - product.floor() - 0.5).abs() < f64::EPSILON;
+    let is_half = (product - product.floor()).total_cmp(&0.5).is_eq();
     match is_half {
         true if lost < 0.0 => product.floor(),
         true if lost > 0.0 => product.ceil(),
@@ -77,7 +77,7 @@ impl Rounded {
                     Halves::Up => f64::from(single.round()),
                     Halves::ToEven => f64::from(single.round_ties_even()),
                     Halves::AsTheyAre => (weight * scale).round_ties_even(),
-                    Halves::AsDoubles => nearest(as_double(weight), scale),
+                    Halves::AsDoubles => nearest_to_product(as_double(weight), scale),
                 };
                 rounded / scale
             }

@@ -48,8 +48,8 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) ->
         front.filter(|_| shape.visible)
     });
     let wanted = wanted.unwrap_or(to_eye);
-    let may_turn = !is_of_the_page(session);
-    if may_turn && shows_back(front, wanted) && turn_round(shapes, bounds.center()) {
+    if !is_of_the_page(session) && shows_back(front, wanted) && turn_round(shapes, bounds.center())
+    {
         bounds = bounds_of(shapes);
     }
     let others = standing_around(session, shapes, camera.eye());
@@ -157,8 +157,8 @@ fn stand_beside(
     }
     let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_of(shapes));
     let is_off = up.is_finite() && up.abs() > OFF_THE_GROUND * bounds.size().y;
-    let is_off = is_off && !is_of_the_page(session);
-    let up = Vec3::Y * if is_off { up } else { 0.0 };
+    let is_lifted = is_off && !is_of_the_page(session);
+    let up = Vec3::Y * if is_lifted { up } else { 0.0 };
     move_all(shapes, up + way_out(&moved(bounds, up)));
 }
 
@@ -177,11 +177,9 @@ fn move_all(shapes: &mut [NewShape], by: Vec3) {
 
 /// Has figures that are to be added stand on the ground, if the view shows one: those that would sink below all that is
 /// seen are lifted, since the ground would follow them down and leave everything else in the air, and those that would hang
-/// in the air beside other characters are let down, but not what is above something, such as a rider. In the Mannequin look
-/// they are as high as their files have them.
+/// in the air beside other characters are let down, but not what is above something, such as a rider.
 pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
-    let has_ground = session.view().has_ground() && !is_of_the_page(session);
-    if !has_ground || shapes.iter().find_map(NewShape::front).is_none() {
+    if !session.view().has_ground() || shapes.iter().find_map(NewShape::front).is_none() {
         return;
     }
     let others = standing(session);

@@ -107,8 +107,10 @@ pub fn selected_roots(session: &Session, shape: ShapeId) -> Option<MoveTarget> {
         .skeleton()
         .roots();
     if roots.len() > 1 && roots.iter().all(|root| selected.contains(root)) {
-        let joint = active;
-        return Some(MoveTarget::AllRoots { shape, joint });
+        return Some(MoveTarget::AllRoots {
+            shape,
+            joint: active,
+        });
     }
     let own = root_of(session, shape, active);
     let own = own.filter(|root| selected.contains(root));

@@ -29,13 +29,13 @@ pub(super) struct Stander {
 /// The least movement in the direction `along`, that of an axis, after which a figure with these `bounds` stands in none
 /// of those that are there. What is moved at all does not come to where it would reach into another one a little, either.
 pub(super) fn way_out(bounds: &Aabb, there: &[Stander], along: Vec3) -> Vec3 {
+    if !there.iter().any(|other| stands_in(bounds, other)) {
+        return Vec3::ZERO;
+    }
     let gap = GAP * bounds.size().dot(along);
     let after = |other: &Stander| (other.bounds.max - bounds.min).dot(along) + gap;
     let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
     ways.sort_by(f32::total_cmp);
-    if !there.iter().any(|other| stands_in(bounds, other)) {
-        return Vec3::ZERO;
-    }
     let mut free = ways.into_iter().map(|way| along * way).filter(|&way| {
         let moved = moved(bounds, way);
         let is_there = |other: &Stander| stands_in(&moved, other) || reaches_into(&moved, other);

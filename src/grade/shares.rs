@@ -101,6 +101,11 @@ mod tests {
         };
         assert_eq!(given(TWO, &normalized(0.0004), &rubric), [6.0, 9.0]);
         assert_eq!(given(TWO, &normalized(0.0011), &rubric), [6.0, 5.0]);
+        // So is what shows, but is where it should be as far as skinning goes.
+        assert_eq!(
+            given(TWO, &explained(&[&["mesh-mirrored"]]), &rubric),
+            [6.0, 7.5]
+        );
         let told = why(&test(TWO), &normalized(0.0004), &rubric);
         let text = "weights-normalized leaves 90 % of 4.2, so little is the mesh off";
         assert_eq!(told, [text]);

@@ -65,8 +65,8 @@ impl Program {
     }
 
     /// View of a document of `shapes` that has none of its own. What is compared with a picture, and
-    /// the course's characters unless another look is chosen for what is opened, are seen as in the course's editor; all else in neutral colors, from
-    /// the front. The camera is still to be fitted then: see [`Program::show_whole`].
+    /// the course's characters unless another look is chosen for what is opened, are seen as in the course's
+    /// editor; all else in neutral colors, from the front. The camera is still to be fitted then: see [`Program::show_whole`].
     pub(super) fn first_view(&self, shapes: &mut [NewShape], compared: bool) -> ViewSettings {
         if compared {
             return ViewSettings::default();

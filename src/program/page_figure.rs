@@ -20,9 +20,9 @@ const LITTLE: f64 = 0.002;
 /// Pixels from one that stands for those around it to the next.
 const APART: u32 = 3;
 
-/// Share of the width at either side of a picture in which its horizon is looked for, and by how much of the width the two
-/// may differ in height where it is level.
+/// Part of the width, one in so many, at either side of a picture in which its horizon is looked for.
 const SIDE: usize = 8;
+/// Share of the width by which the two may differ in height where the horizon is level.
 const LEVEL: f64 = 0.005;
 
 /// What a pixel of a picture in the page's look is of.

@@ -591,6 +591,22 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
     assert!(camera.eye().abs_diff_eq(Vec3::new(0.0, 0.0, -6.0), 1e-5));
 }
 
+/// A story in which the robot is compared with a screenshot of the page; `None` without the reference data.
+fn robot_beside(shot: &str) -> Option<Story> {
+    let shot = reference(&format!("mannequin/shots/{shot}.png"))?;
+    let robot = reference("mannequin/robot.dae")?;
+    let mut host = MemoryHost::default();
+    for (name, path) in [("page.png", shot), ("robot.dae", robot)] {
+        let bytes = std::fs::read(path).unwrap();
+        host.files.insert(name.into(), bytes);
+    }
+    let mut story = Story::start_at(host, &["robot.dae"]);
+    story.key(Key::F8);
+    story.choose("page.png");
+    judge(&mut story);
+    Some(story)
+}
+
 #[test]
 fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() {
     for (shot, is_slanted) in [
@@ -598,20 +614,9 @@ fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() 
         ("robot_rest", true),
         ("robot_arm_dragged", true),
     ] {
-        let shot = reference(&format!("mannequin/shots/{shot}.png"));
-        let robot = reference("mannequin/robot.dae");
-        let (Some(shot), Some(robot)) = (shot, robot) else {
+        let Some(story) = robot_beside(shot) else {
             return;
         };
-        let mut host = MemoryHost::default();
-        for (name, path) in [("page.png", shot), ("robot.dae", robot)] {
-            let bytes = std::fs::read(path).unwrap();
-            host.files.insert(name.into(), bytes);
-        }
-        let mut story = Story::start_at(host, &["robot.dae"]);
-        story.key(Key::F8);
-        story.choose("page.png");
-        judge(&mut story);
         let told = [
             "The horizon of A is slanted",
             "No single cause",
@@ -629,20 +634,9 @@ fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() 
 
 #[test]
 fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges() {
-    let shot = reference("mannequin/shots/robot_start_camera.png");
-    let robot = reference("mannequin/robot.dae");
-    let (Some(shot), Some(robot)) = (shot, robot) else {
+    let Some(mut story) = robot_beside("robot_start_camera") else {
         return;
     };
-    let mut host = MemoryHost::default();
-    for (name, path) in [("page.png", shot), ("robot.dae", robot)] {
-        let bytes = std::fs::read(path).unwrap();
-        host.files.insert(name.into(), bytes);
-    }
-    let mut story = Story::start_at(host, &["robot.dae"]);
-    story.key(Key::F8);
-    story.choose("page.png");
-    judge(&mut story);
     let of_pixels = texts(&story)
         .into_iter()
         .find(|text| text.contains(" of 480000"));

@@ -518,6 +518,10 @@ fn the_look_that_was_chosen_is_that_of_all_that_is_opened_then() {
             // Neutral colors are for the Studio look, and not for the course's characters.
             let is_neutral = look == Look::Studio && file == "builtin:robot";
             assert_eq!(story.color() != GREEN, is_neutral, "{file} {name}");
+            // The course's camera is for the course's characters in its look: elsewhere all is fitted.
+            let has_its_camera = story.session().view().camera == Camera::default();
+            let is_of_the_course = look == Look::Course && file == "models/strip.obj";
+            assert_eq!(has_its_camera, is_of_the_course, "{file} {name}");
         }
     }
 }
