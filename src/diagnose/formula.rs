@@ -2,7 +2,9 @@
 
 pub use super::factor_formula::{Divided, Factor, Factors, Shaped};
 pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached, Unfilled};
-pub use super::weight_formula::{Columns, Halves, Kept, Rescaled, Rounded, Rows, WeightFormula};
+pub use super::weight_formula::{
+    AtEnd, Columns, Halves, Kept, Rescaled, Rounded, Rows, WeightFormula,
+};
 use crate::character::{Character, FileFrames};
 use glam::{DMat3, DQuat};
 

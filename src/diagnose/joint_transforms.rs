@@ -1,7 +1,7 @@
 //! The transforms of joints by any formula, in double precision.
 
 use super::formula::{
-    About, AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
+    About, AngleUnits, AtEnd, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
     Parents, Popped, Shaped, Unfilled,
 };
 use super::model::Model;
@@ -208,23 +208,52 @@ impl<'a> Joints<'a> {
     /// The joint that a weight moves a vertex with whose index in the file is `index`; `None` if it is
     /// taken for none.
     pub(super) fn moved_by(&self, columns: Columns, index: usize) -> Option<usize> {
-        let place = match columns {
-            Columns::Exact => index,
-            Columns::Before => index.checked_sub(1)?,
-            Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
-            Columns::After => index + 1,
-            Columns::AfterToLast => (index + 1).min(self.order.len().saturating_sub(1)),
-            Columns::AfterToFirst => (index + 1) % self.order.len().max(1),
-            Columns::LastAlone if index + 1 < self.order.len() => return None,
-            Columns::WithoutLast if index + 1 == self.order.len() => return None,
-            Columns::LastAlone | Columns::WithoutLast => index,
+        let is_last = index + 1 == self.order.len();
+        let moved = match columns {
+            Columns::Before(at_end) => self.next_to(index, true, at_end)?,
+            Columns::After(at_end) => self.next_to(index, false, at_end)?,
+            Columns::LastAlone if !is_last => return None,
+            Columns::WithoutLast if is_last => return None,
             Columns::Without(joint) if index == joint => return None,
-            Columns::Without(_) => index,
             Columns::Exchanged(a, b) if index == a => b,
             Columns::Exchanged(a, b) if index == b => a,
-            Columns::Exchanged(..) => index,
+            Columns::Exact
+            | Columns::LastAlone
+            | Columns::WithoutLast
+            | Columns::Without(_)
+            | Columns::Exchanged(..) => index,
         };
-        self.order.get(place).copied()
+        self.order.get(moved).copied()
+    }
+
+    /// The joint next to that at `index` in the list that numbers count in: the one before it if `is_before`.
+    fn next_to(&self, index: usize, is_before: bool, at_end: AtEnd) -> Option<usize> {
+        let list = self.frames.map_or(&[][..], |frames| &frames.skin_joints);
+        let in_list = list.iter().position(|&joint| joint == index);
+        let (place, count) = in_list.map_or((index, self.order.len()), |place| (place, list.len()));
+        // The root, which comes first, has no column in an .attach file.
+        let first = usize::from(in_list.is_none() && at_end == AtEnd::Lost);
+        let next = match is_before {
+            true => place.checked_sub(1).filter(|next| *next >= first),
+            false => Some(place + 1).filter(|next| *next < count),
+        };
+        let joint_at = |place: usize| {
+            if in_list.is_some() {
+                list[place]
+            } else {
+                place
+            }
+        };
+        let unlisted = |joint: &usize| !list.contains(joint);
+        match (next, at_end) {
+            (Some(next), _) => Some(joint_at(next)),
+            (None, AtEnd::OfAll) if is_before => index.checked_sub(1).filter(unlisted),
+            (None, AtEnd::OfAll) => Some(index + 1).filter(unlisted),
+            (None, AtEnd::Lost) => None,
+            (None, AtEnd::Same) => Some(index),
+            (None, AtEnd::OtherEnd) if is_before => Some(joint_at(count - 1)),
+            (None, AtEnd::OtherEnd) => Some(joint_at(0)),
+        }
     }
 
     /// What moves vertices, by the index that a weight has, after what the first joint of a vertex does to all of it.

@@ -1,8 +1,8 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled, Rotations,
-    Rows, VertexOrder,
+    AngleUnits, AtEnd, Chain, Columns, Factors, JointOrder, JointsBy, Kept, Offsets, Rescaled,
+    Rotations, Rows, VertexOrder,
 };
 use super::mistake::{
     EVERY_JOINT_COUNTS, MESH, Mistake, POSE_NOT_APPLIED, SKELETON, SLIDERS, SSD, rare_reading,
@@ -72,10 +72,17 @@ pub static MISTAKES: &[Mistake] = &[
                   belongs to joint 1",
         readings: &[
             reading("the first one for the root", |formula| {
-                formula.weights.columns = Columns::Before;
+                formula.weights.columns = Columns::Before(AtEnd::OfAll);
             }),
             reading("the first one not at all", |formula| {
-                formula.weights.columns = Columns::BeforeWithoutFirst;
+                formula.weights.columns = Columns::Before(AtEnd::Lost);
+            }),
+            reading("the first one for the first joint, too", |formula| {
+                formula.weights.columns = Columns::Before(AtEnd::Same);
+            }),
+            // Of two joints that is each other's weights.
+            rare_reading("the first one for the last joint", |formula| {
+                formula.weights.columns = Columns::Before(AtEnd::OtherEnd);
             }),
         ],
     },
@@ -87,14 +94,14 @@ pub static MISTAKES: &[Mistake] = &[
                   for in one of the two, not in both",
         readings: &[
             reading("the last one for none", |formula| {
-                formula.weights.columns = Columns::After;
+                formula.weights.columns = Columns::After(AtEnd::OfAll);
             }),
             reading("the last one for the last joint, too", |formula| {
-                formula.weights.columns = Columns::AfterToLast;
+                formula.weights.columns = Columns::After(AtEnd::Same);
             }),
             // Of two joints that is each other's weights.
             rare_reading("the last one for the first joint", |formula| {
-                formula.weights.columns = Columns::AfterToFirst;
+                formula.weights.columns = Columns::After(AtEnd::OtherEnd);
             }),
         ],
     },

@@ -55,7 +55,7 @@ pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMista
 pub use diagnosis_words::{in_words, of_size, part_of_size, within_everywhere};
 pub use faces::FaceDifference;
 pub use formula::{
-    About, AngleUnits, AnglesOf, Chain, Columns, Divided, Factor, Factors, Formula, Halves,
+    About, AngleUnits, AnglesOf, AtEnd, Chain, Columns, Divided, Factor, Factors, Formula, Halves,
     JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations,
     Rounded, RoundedAngles, Rows, Shaped, VertexOrder, WeightFormula,
 };

@@ -120,16 +120,10 @@ pub enum Rows {
 pub enum Columns {
     /// Its own: column c is joint c + 1.
     Exact,
-    /// The one before, for column 0 the root.
-    Before,
-    /// The one before, without column 0.
-    BeforeWithoutFirst,
-    /// The one after, which the last column lacks.
-    After,
-    /// The one after, for the last column the last joint.
-    AfterToLast,
-    /// The one after, for the last column the first joint.
-    AfterToFirst,
+    /// The one before it in the list that numbers count in, which is the skin's own in a Collada file.
+    Before(AtEnd),
+    /// The one after it in that list.
+    After(AtEnd),
     /// Its own for the last joint, and none for all others.
     LastAlone,
     /// None for the last joint, and its own for all others.
@@ -138,6 +132,20 @@ pub enum Columns {
     Without(usize),
     /// Its own, but for two joints, each of which has the other's.
     Exchanged(usize, usize),
+}
+
+/// What comes of the column at the end of a list beyond which there is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtEnd {
+    /// What is next to it in the list of all joints, such as the root before those that have columns; none if it has a column,
+    /// too.
+    OfAll,
+    /// Nothing.
+    Lost,
+    /// The same joint.
+    Same,
+    /// The joint at the other end.
+    OtherEnd,
 }
 
 /// Which weights of a vertex are kept.
