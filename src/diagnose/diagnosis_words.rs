@@ -249,6 +249,42 @@ impl Diagnosis {
         ))
     }
 
+    /// What is told of a mesh that is right in another pose.
+    fn fmt_other_pose(&self, f: &mut fmt::Formatter<'_>, other: &OtherPose) -> fmt::Result {
+        let (error, but_for) = (of_size(self.error), other.but_for(self.tolerance));
+        let what = but_for.map_or_else(
+            || "this is the exact result, but of".to_owned(),
+            |but_for| format!("{but_for}, this is the exact result of"),
+        );
+        write!(
+            f,
+            "another pose: {what} a pose that is not the given one, in which it is {error} away"
+        )?;
+        if let Some(mistake) = &other.besides {
+            write!(f, "\n  besides  {mistake}")?;
+        }
+        let (told, more) = other.told();
+        for joint in told {
+            match joint.moved {
+                Some(moved) if !joint.is_turned() => {
+                    write!(
+                        f,
+                        "\n  moved    {} by {}",
+                        joint.joint,
+                        vector(moved.map(f64::from))
+                    )?;
+                }
+                _ => write!(f, "\n  turned   {joint}")?,
+            }
+        }
+        match more {
+            0 => {}
+            1 => f.write_str("\n  turned   and 1 more joint")?,
+            more => write!(f, "\n  turned   and {more} more joints")?,
+        }
+        write!(f, "\n  look at  {LOOK_AT_POSE}")
+    }
+
     fn fmt_unexplained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let error = of_size(self.error);
         let found = self.found();
@@ -259,7 +295,7 @@ impl Diagnosis {
             Some(_) => "nearly right",
         };
         match (&self.other_pose, found.next()) {
-            (Some(other), _) => fmt_other_pose(f, other, &error)?,
+            (Some(other), _) => self.fmt_other_pose(f, other)?,
             (None, Some(first)) => write!(
                 f,
                 "{verdict}: {first}\n  away     {error}, from the exact result in this pose"
@@ -267,7 +303,7 @@ impl Diagnosis {
             (None, None) => write!(
                 f,
                 "unexplained: {error} away from the exact result in this pose, and no known mistake \
-                 gives this mesh, nor do two of them"
+                 gives this mesh, nor do two of those that are tried together"
             )?,
         }
         for found in found {
@@ -303,35 +339,6 @@ impl Diagnosis {
             more => write!(f, "\n  off      and at {more} more joints"),
         }
     }
-}
-
-/// What is told of a mesh that is right in another pose, and `error` away from the one that was expected.
-fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) -> fmt::Result {
-    write!(
-        f,
-        "another pose: this is the exact result, but of a pose that is not the given one, in which it is \
-         {error} away"
-    )?;
-    let (told, more) = other.told();
-    for joint in told {
-        match joint.moved {
-            Some(moved) if !joint.is_turned() => {
-                write!(
-                    f,
-                    "\n  moved    {} by {}",
-                    joint.joint,
-                    vector(moved.map(f64::from))
-                )?;
-            }
-            _ => write!(f, "\n  turned   {joint}")?,
-        }
-    }
-    match more {
-        0 => {}
-        1 => f.write_str("\n  turned   and 1 more joint")?,
-        more => write!(f, "\n  turned   and {more} more joints")?,
-    }
-    write!(f, "\n  look at  {LOOK_AT_POSE}")
 }
 
 /// Mistakes that are made together, and where to look for them.

@@ -226,6 +226,13 @@ impl<'a> Joints<'a> {
         self.order.get(moved).copied()
     }
 
+    /// The same for each index.
+    pub(super) fn all_moved_by(&self, columns: Columns) -> Vec<Option<usize>> {
+        (0..self.order.len())
+            .map(|index| self.moved_by(columns, index))
+            .collect()
+    }
+
     /// The joint next to that at `index` in the list that numbers count in: the one before it if `is_before`.
     fn next_to(&self, index: usize, is_before: bool, at_end: AtEnd) -> Option<usize> {
         let list = self.frames.map_or(&[][..], |frames| &frames.skin_joints);

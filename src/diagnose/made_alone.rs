@@ -6,8 +6,9 @@ use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
 use super::mistake::Mistake;
 use super::search::{Explanation, Search};
 use super::skin::{Placed, Skinner};
-use super::ways::Made;
+use super::ways::{Made, formula};
 use super::{one_joint, whole_program};
+use crate::character::Influence;
 use crate::steps::Pace;
 use std::collections::BTreeSet;
 
@@ -24,9 +25,9 @@ pub(super) async fn find(
     size: f64,
     pace: &Pace,
 ) -> Vec<Explanation> {
-    let alone = MadeAlone::new(search, order, exact);
-    let fits = MadeAlone::new(fits, order, exact);
-    let of_whole = whole_program::find(&alone, &fits, pace).await;
+    let alone = MadeAlone::new(search, order);
+    let fits = MadeAlone::new(fits, order);
+    let of_whole = whole_program::find(&alone, &fits, exact, pace).await;
     if !of_whole.is_empty() {
         return of_whole;
     }
@@ -42,35 +43,61 @@ pub(super) async fn find(
 pub(super) async fn as_well(
     search: &Search<'_>,
     order: VertexOrder,
-    exact: &[Placed],
     pace: &Pace,
 ) -> Vec<Explanation> {
-    let alone = MadeAlone::new(search, order, exact);
+    let alone = MadeAlone::new(search, order);
     whole_program::as_well(&alone, pace).await
 }
 
-/// A mesh that one such mistake may give.
+/// A mesh that one such mistake may give, or one beside another mistake.
 pub(super) struct MadeAlone<'a> {
     pub(super) search: &'a Search<'a>,
-    order: VertexOrder,
-    pub(super) exact: &'a [Placed],
-    /// Vertices of the sample that are off.
+    /// The other mistake.
+    other: Option<Made>,
+    /// The formula without the mistake that is sought.
+    formula: Formula,
+    /// Where that has the vertices of the sample.
+    pub(super) at_sample: Vec<Placed>,
+    /// Vertices of the sample that are off from there.
     pub(super) off: Vec<usize>,
+    /// The joint that each index of a weight means.
+    joints: Vec<Option<usize>>,
 }
 
 impl<'a> MadeAlone<'a> {
-    fn new(search: &'a Search<'a>, order: VertexOrder, exact: &'a [Placed]) -> Self {
-        let off = |&&vertex: &&usize| search.is_off(exact[vertex], search.theirs[vertex]);
+    fn new(search: &'a Search<'a>, order: VertexOrder) -> Self {
+        let formula = Formula {
+            vertex_order: order,
+            ..Formula::default()
+        };
+        Self::by(search, None, formula)
+    }
+
+    /// The same beside another mistake; `None` if that cannot be made of the character.
+    pub(super) fn beside(search: &'a Search<'a>, other: Made) -> Option<Self> {
+        let formula = formula(&[other]);
+        search
+            .may_be_of(&formula)
+            .then(|| Self::by(search, Some(other), formula))
+    }
+
+    fn by(search: &'a Search<'a>, other: Option<Made>, formula: Formula) -> Self {
+        let mut skinner = Skinner::new(search.model, search.pose, &formula);
+        let sample = search.sample.iter();
+        let is_off = |&&vertex: &&usize| search.distance(&mut skinner, vertex) > search.tolerance;
+        let off = sample.clone().filter(is_off).copied().collect();
         Self {
             search,
-            order,
-            exact,
-            off: search.sample.iter().filter(off).copied().collect(),
+            other,
+            at_sample: sample.map(|&vertex| skinner.place(vertex)).collect(),
+            off,
+            joints: skinner.joints().to_vec(),
+            formula,
         }
     }
 
     /// Joints whose weights are left out, where that gives the mesh.
-    async fn left_out(&self, pace: &Pace) -> Vec<Explanation> {
+    pub(super) async fn left_out(&self, pace: &Pace) -> Vec<Explanation> {
         let mut found = Vec::new();
         for joint in self.moving_first() {
             if !self.moves_all_off(|one| one == joint) {
@@ -86,7 +113,7 @@ impl<'a> MadeAlone<'a> {
     }
 
     /// Joints that have each other's weights, where that gives the mesh.
-    async fn exchanged_weights(&self, pace: &Pace) -> Vec<Explanation> {
+    pub(super) async fn exchanged_weights(&self, pace: &Pace) -> Vec<Explanation> {
         if self.has_many_joints() {
             return Vec::new();
         }
@@ -98,10 +125,8 @@ impl<'a> MadeAlone<'a> {
         });
         // The root has no column in an .attach file, and a joint that is not turned looks as if it had the root's weights:
         // only joints that move something are tried.
-        let vertices = 0..self.search.theirs.len();
-        let moving: BTreeSet<usize> = vertices.flat_map(|vertex| self.moving(vertex)).collect();
-        let both_move =
-            |(one, other): (usize, usize)| moving.contains(&one) && moving.contains(&other);
+        let moves = &self.search.model.moves;
+        let both_move = |(one, other): (usize, usize)| moves[one] && moves[other];
         let pairs: Vec<_> = pairs
             .filter(|&pair| both_move(pair) && known.insert(pair))
             .collect();
@@ -128,16 +153,19 @@ impl<'a> MadeAlone<'a> {
 
     /// Joints that move `vertex`.
     pub(super) fn moving(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
-        let model = self.search.model;
-        let row = model.source(self.order, vertex).weights;
-        model.influences(row).iter().map(|one| one.joint as usize)
+        let influences = self.influences(vertex).iter();
+        influences.filter_map(|one| self.joints[one.joint as usize])
     }
 
     /// Weights of `vertex`.
     pub(super) fn weights(&self, vertex: usize) -> impl Iterator<Item = f32> + '_ {
+        self.influences(vertex).iter().map(|one| one.weight)
+    }
+
+    fn influences(&self, vertex: usize) -> &[Influence] {
         let model = self.search.model;
-        let row = model.source(self.order, vertex).weights;
-        model.influences(row).iter().map(|one| one.weight)
+        let row = model.source(self.formula.vertex_order, vertex).weights;
+        model.influences_by(self.formula.weights.rows, row)
     }
 
     /// Joints that move the first vertex that is off: one of them is in every mistake with the weights of joints.
@@ -173,7 +201,7 @@ impl<'a> MadeAlone<'a> {
         self.made_by(formula, Made::by_numbers(mistake), pace).await
     }
 
-    /// The explanation `made` of the mesh, if the formula gives it.
+    /// The explanation of the mesh by a mistake that is `made`, if the formula gives it.
     pub(super) async fn made_by(
         &self,
         formula: &Formula,
@@ -181,17 +209,13 @@ impl<'a> MadeAlone<'a> {
         pace: &Pace,
     ) -> Option<Explanation> {
         let mut skinner = Skinner::new(self.search.model, self.search.pose, formula);
-        (self.search)
-            .explained_by(&mut skinner, vec![made], pace)
-            .await
+        let made = self.other.into_iter().chain([made]).collect();
+        self.search.explained_by(&mut skinner, made, pace).await
     }
 
-    /// The exact formula for vertices in this order.
+    /// The formula without the mistake that is sought.
     pub(super) fn formula(&self) -> Formula {
-        Formula {
-            vertex_order: self.order,
-            ..Formula::default()
-        }
+        self.formula.clone()
     }
 
     /// A joint by name and index, as the file counts them.

@@ -4,6 +4,7 @@
 use super::diagnosis::{Diagnosis, ToldMistake};
 use super::mistake::{MESH, Mistake, SKELETON, SLIDERS};
 use super::nearest::Nearest;
+use super::other_pose::OtherPose;
 use super::picture::PictureDiagnosis;
 
 /// What to look at where joints of the skin are confused.
@@ -183,6 +184,10 @@ impl Diagnosis {
             nearest: self.nearest.map(|nearest| Nearest {
                 mistake: nearest.mistake.told_for(program),
                 ..nearest
+            }),
+            other_pose: self.other_pose.map(|other| OtherPose {
+                besides: other.besides.map(|mistake| mistake.told_for(program)),
+                ..other
             }),
             ..self
         }

@@ -3,6 +3,7 @@
 //! one that was made. Nothing here opens a file or a window.
 
 mod any_order;
+mod beside;
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
@@ -22,6 +23,7 @@ mod mistaken;
 mod mistakes;
 mod model;
 mod nearest;
+mod nearly_other_pose;
 mod no_numbers;
 mod not_reached;
 mod not_turned;
@@ -219,7 +221,7 @@ async fn diagnose_vertices(
         let (explanations, same): (Vec<_>, Vec<_>) = same.into_iter().partition(is_closer);
         if explanations.is_empty() {
             let mut found = findings.diagnosis(Verdict::Right);
-            let of_whole = made_alone::as_well(&search, order, &exact, pace).await;
+            let of_whole = made_alone::as_well(&search, order, pace).await;
             let made = same.iter().chain(&of_whole).flat_map(|it| &it.made);
             let usual = made.filter(|made| search.is_usual(**made));
             found.unseen = usual.map(|made| made.mistake.id).collect();
@@ -308,13 +310,16 @@ async fn sought(
         let found = made_alone::find(search, fits, order, exact, size, pace).await;
         explanations.extend(found.into_iter().map(|it| it.of_order(order)));
     } else if order == VertexOrder::File {
-        let as_well = made_alone::as_well(search, order, exact, pace).await;
+        let as_well = made_alone::as_well(search, order, pace).await;
         // What is used twice is told only where nothing simpler gives the same.
         let is_simple = |it: &Explanation| it.ids() != [ANGLE_REPEATED.id];
         explanations.extend(as_well.into_iter().filter(is_simple));
     }
     if explanations.is_empty() {
         explanations = search.pairs(&alone, rounding, pace).await;
+    }
+    if explanations.is_empty() && order == VertexOrder::File {
+        explanations = beside::find(search, size, rounding, pace).await;
     }
     (alone, explanations)
 }

@@ -19,6 +19,8 @@ pub(super) struct Model<'a> {
     pub(super) positions: Vec<DVec3>,
     /// Joints, parents before their children, depth first.
     pub(super) by_depth: Vec<usize>,
+    /// For each joint whether it has a weight other than 0.
+    pub(super) moves: Vec<bool>,
     /// Vertices that faces use, in the order of their first use.
     first_use: Vec<usize>,
     /// For each vertex its place in that order; its own index if no face uses it.
@@ -33,6 +35,7 @@ impl<'a> Model<'a> {
             character,
             positions: mesh.positions.iter().map(|p| p.as_dvec3()).collect(),
             by_depth: by_depth(character.skeleton()),
+            moves: moves(character),
             first_use,
             place,
         }
@@ -155,6 +158,16 @@ impl<'a> Model<'a> {
 /// The joint of the largest weight; `None` if there is no weight.
 pub(super) fn strongest(influences: &[Influence]) -> Option<usize> {
     Attachments::strongest(influences).map(|joint| joint as usize)
+}
+
+fn moves(character: &Character) -> Vec<bool> {
+    let mut moves = vec![false; character.skeleton().joints().len()];
+    let attachments = character.attachments();
+    let rows = (0..attachments.vertex_count()).map(|vertex| attachments.of_vertex(vertex));
+    for influence in rows.flatten().filter(|influence| influence.weight != 0.0) {
+        moves[influence.joint as usize] = true;
+    }
+    moves
 }
 
 fn first_use(triangles: &[[u32; 3]], vertices: usize) -> (Vec<usize>, Vec<usize>) {

@@ -21,7 +21,7 @@ const NOT_SHOWN: f64 = 1e-6;
 const HARDLY_ALONG: f64 = 0.05;
 /// Steps after which a direction is found among three.
 const STEPS_OF_POWER: usize = 30;
-/// Parents that are told where several give the same mesh.
+/// Lines that are told where several give the same mesh.
 const TOLD: usize = 3;
 
 /// The mistakes in one line of the skeleton that give the mesh, of this size.
@@ -29,7 +29,7 @@ pub(super) async fn find(alone: &MadeAlone<'_>, size: f64, pace: &Pace) -> Vec<E
     let lines = Lines(alone);
     let joints = lines.joints();
     let parents = lines.wrong_parents(&joints, size, pace).await;
-    let offsets = lines.wrong_offsets(&joints, pace).await;
+    let offsets = lines.wrong_offsets(&joints, size, pace).await;
     parents.into_iter().chain(offsets).collect()
 }
 
@@ -54,7 +54,7 @@ impl Lines<'_> {
             .collect()
     }
 
-    /// A skinner of the exact formula, but for one joint.
+    /// A skinner of the formula, but for one joint.
     fn skinner(&self, other: OtherJoint) -> Skinner<'_> {
         let formula = self.formula_with(other);
         Skinner::new(self.0.search.model, self.0.search.pose, &formula)
@@ -107,22 +107,17 @@ impl Lines<'_> {
         // Stable: a line is mistaken for one near by.
         good.sort_by_key(|other| self.steps_from_parent(*other));
         let told = good.iter().take(TOLD);
-        let mut told: Vec<String> = told.map(|other| self.on_another_parent(*other)).collect();
-        let more = good.len() - told.len();
-        if more > 0 {
-            let others = if more == 1 { "other" } else { "others" };
-            told.push(format!(
-                "on {more} {others} that give the same in this pose"
-            ));
-        }
+        let told = told.map(|other| self.on_another_parent(*other));
+        let told: Vec<String> = told.chain(others(good.len(), "on")).collect();
         let (mut explanation, _) = found.swap_remove(0);
         explanation.how = Some(told.join(", or "));
         Some(explanation)
     }
 
-    /// The wrong offset that gives the mesh, of the joint with which it agrees best.
-    async fn wrong_offsets(&self, joints: &[usize], pace: &Pace) -> Option<Explanation> {
-        let mut best: Option<Explanation> = None;
+    /// The wrong offsets that give the mesh, as one explanation, the plainest first: where a joint is not turned, its own
+    /// offset and those of the joints that hang on it are as good as each other.
+    async fn wrong_offsets(&self, joints: &[usize], size: f64, pace: &Pace) -> Option<Explanation> {
+        let mut found = Vec::new();
         for &joint in joints {
             let own = &self.0.search.model.skeleton().joints()[joint];
             let Some((off, is_ambiguous)) = self.off_by(joint) else {
@@ -134,19 +129,37 @@ impl Lines<'_> {
                 offset: own.offset.as_dvec3() + off,
             };
             let explained = self.explained(other, &ONE_WRONG_OFFSET, pace).await;
-            let known = best.as_ref().map_or(f64::INFINITY, |best| best.error);
-            if let Some(explained) = explained.filter(|explained| explained.error < known) {
-                let mut how = self.with_another_offset(other);
-                if is_ambiguous {
-                    how.push_str(", or another that gives the same in this pose");
-                }
-                best = Some(Explanation {
-                    how: Some(how),
-                    ..explained
-                });
-            }
+            found.extend(explained.map(|explanation| (explanation, other, is_ambiguous)));
         }
-        best
+        found.sort_by(|(a, ..), (b, ..)| a.error.total_cmp(&b.error));
+        let enough = as_good(found.first()?.0.error, size);
+        let good = found.iter().filter(|(one, ..)| one.error <= enough);
+        let mut good: Vec<(OtherJoint, bool)> = good.map(|(_, other, is)| (*other, *is)).collect();
+        good.sort_by_key(|(other, _)| (self.strange_numbers(*other), other.joint));
+        let told = good.iter().take(TOLD).map(|(other, is_ambiguous)| {
+            let told = self.with_another_offset(*other);
+            match is_ambiguous {
+                true => format!("{told}, or another that gives the same in this pose"),
+                false => told,
+            }
+        });
+        let told: Vec<String> = told.chain(others(good.len(), "of")).collect();
+        let (mut explanation, ..) = found.swap_remove(0);
+        explanation.how = Some(told.join(", or "));
+        Some(explanation)
+    }
+
+    /// How many numbers of an offset are neither those of the file nor what a slip makes of them: 0, the same with the other
+    /// sign, or the number of another axis.
+    fn strange_numbers(&self, other: OtherJoint) -> usize {
+        let real = self.0.search.model.skeleton().joints()[other.joint].offset;
+        let real = real.to_array().map(|number| rounded(f64::from(number)));
+        let is_strange = |number: &f64| {
+            let number = rounded(*number);
+            number != 0.0 && real.iter().all(|real| number.abs() != real.abs())
+        };
+        let numbers = other.offset.to_array();
+        numbers.iter().filter(|number| is_strange(number)).count()
     }
 
     /// What must be added to the offset of `joint` so that the mesh comes nearest, by least squares, and whether more
@@ -164,17 +177,16 @@ impl Lines<'_> {
             })
         });
         let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
-        for &vertex in &self.0.search.sample {
-            let exact = self.0.exact[vertex];
-            if exact.is_unweighted {
+        for (&vertex, before) in self.0.search.sample.iter().zip(&self.0.at_sample) {
+            if before.is_unweighted {
                 continue;
             }
             let moved = along
                 .each_mut()
-                .map(|skinner| skinner.place(vertex).at - exact.at);
+                .map(|skinner| skinner.place(vertex).at - before.at);
             let moved = DMat3::from_cols_array_2d(&moved.map(|column| column.to_array()));
             matrix += moved.transpose() * moved;
-            right += moved.transpose() * (self.0.search.theirs[vertex] - exact.at);
+            right += moved.transpose() * (self.0.search.theirs[vertex] - before.at);
         }
         let shown = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
         let raised = matrix + DMat3::from_diagonal(DVec3::splat(shown * HARDLY_SHOWN));
@@ -225,6 +237,13 @@ impl Lines<'_> {
         let joint = self.0.named(Some(other.joint));
         format!("{joint} {offset} instead of {real}")
     }
+}
+
+/// How many more than those that are told give the same, if more do.
+fn others(count: usize, on: &str) -> Option<String> {
+    let more = count.saturating_sub(TOLD);
+    let others = if more == 1 { "other" } else { "others" };
+    (more > 0).then(|| format!("{on} {more} {others} that give the same in this pose"))
 }
 
 /// Of `off` and what differs from it by a multiple of `along`, what has the most zeros, and of those the shortest.

@@ -6,7 +6,7 @@ use super::formula::VertexOrder;
 use super::not_reached::NotReached;
 use super::precision::{Coarse, Written};
 use super::search::{Alone, Search};
-use super::{any_order, nearest, not_reached, other_pose, placed};
+use super::{any_order, nearest, nearly_other_pose, not_reached, other_pose, placed};
 use crate::steps::Pace;
 
 /// The diagnosis of the mesh of `search`, which single mistakes are as near to as `alone` says and whose numbers may be
@@ -44,6 +44,10 @@ pub(super) async fn find(
     }
     let limits = (tolerance, size);
     let other = other_pose::find(model, pose, order, findings.theirs, limits, pace).await;
+    let other = match other {
+        Some(other) => Some(other),
+        None => nearly_other_pose::find(search, findings, pace).await,
+    };
     if let Some(other) = other {
         return findings.of_other_pose(other);
     }

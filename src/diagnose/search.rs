@@ -142,6 +142,15 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The same in another pose.
+    pub(super) fn in_pose<'b>(&'b self, pose: &'b Pose) -> Search<'b> {
+        Search {
+            pose,
+            sample: self.sample.clone(),
+            ..*self
+        }
+    }
+
     /// The same, where vertices agree if no coordinate is more than `limit` apart, or from where it may have been before
     /// its digits were `cut_off`.
     pub(super) fn of_coordinates_within(&self, limit: f64, cut_off: Option<CutOff>) -> Self {
@@ -182,12 +191,7 @@ impl<'a> Search<'a> {
             let one = alone
                 .iter()
                 .find(|one| std::ptr::eq(one.made.reading, made.reading));
-            let otherwise = || {
-                let mut skinner = self.skinner(&formula(&[made]))?;
-                Some(self.nearness(&mut skinner).mean)
-            };
-            let mean = one.map(|one| one.nearness.mean).or_else(otherwise);
-            mean.unwrap_or(f64::INFINITY)
+            one.map_or_else(|| self.mean(&formula(&[made])), |one| one.nearness.mean)
         };
         let all: Vec<(Made, Made, Formula)> =
             pairs_of_ways().chain(pairs_with_whole_program()).collect();
@@ -230,6 +234,22 @@ impl<'a> Search<'a> {
             }
         }
         alone
+    }
+
+    /// How far vertices of the sample are from those that a formula gives, at most; `None` if it cannot give the mesh.
+    pub(super) fn error_of_sample(&self, formula: &Formula) -> Option<f64> {
+        let mut skinner = self.skinner(formula)?;
+        let sample = self.sample.iter();
+        let distances = sample.map(|&vertex| self.distance(&mut skinner, vertex));
+        Some(distances.fold(0.0, f64::max))
+    }
+
+    /// How near the mesh is to the one that a formula gives, in the mean; infinite if that cannot give it.
+    pub(super) fn mean(&self, formula: &Formula) -> f64 {
+        let skinner = self.skinner(formula);
+        skinner.map_or(f64::INFINITY, |mut skinner| {
+            self.nearness(&mut skinner).mean
+        })
     }
 
     /// How far the mesh is from the one with a mistake alone, at most; infinite if that cannot give it.
@@ -289,7 +309,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether a formula may give a mesh of so many vertices of the character.
-    fn may_be_of(&self, formula: &Formula) -> bool {
+    pub(super) fn may_be_of(&self, formula: &Formula) -> bool {
         self.model.count(formula.vertex_order) == self.theirs.len()
             && formula.is_of(self.model.character)
     }
@@ -308,7 +328,7 @@ impl<'a> Search<'a> {
     }
 
     /// How far a vertex is from where `skinner` puts it; for one far outside as if it were not farther out than others.
-    fn distance(&self, skinner: &mut Skinner, index: usize) -> f64 {
+    pub(super) fn distance(&self, skinner: &mut Skinner, index: usize) -> f64 {
         let theirs = self.theirs[index];
         let distance = skinner.distance(index, theirs, self.metric);
         let out = theirs.abs().max_element();

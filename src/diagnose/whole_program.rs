@@ -8,8 +8,8 @@ use super::mistake::Mistake;
 use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
 use super::of_weighted_sum::LAST_RESULT_SKINNED;
 use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
-use super::search::{AT_ONCE, Explanation};
-use super::skin::Skinner;
+use super::search::{AT_ONCE, Explanation, Search};
+use super::skin::{Placed, Skinner};
 use super::small_weights;
 use super::ways::Made;
 use crate::steps::Pace;
@@ -21,15 +21,20 @@ use std::iter;
 const FACTORS: [f64; 3] = [1.0, 2.0, 0.5];
 /// Steps towards it.
 const STEPS: usize = 12;
+/// Angles of which a factor is sought beside another mistake.
+const FEWEST_ANGLES: usize = 3;
+/// Vertices that tell it then.
+const FEW: usize = 96;
 /// By how much a factor is changed to see what that moves.
 const A_LITTLE: f64 = 1e-4;
 /// What single precision and six digits are off by in a sum over all vertices, by the largest that it ever is.
 const ROUNDING_OF_SUMS: f64 = 1e-5;
 
-/// The mistakes that give the mesh; angles that are scaled give it as in `fits`.
+/// The mistakes that give the mesh, which is held against the `exact` one; angles that are scaled give it as in `fits`.
 pub(super) async fn find(
     alone: &MadeAlone<'_>,
     fits: &MadeAlone<'_>,
+    exact: &[Placed],
     pace: &Pace,
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
@@ -51,7 +56,7 @@ pub(super) async fn find(
         found.extend(small_weights::find(fits, pace).await);
     }
     if found.is_empty() {
-        found.extend(sum_not_reset(alone, pace).await);
+        found.extend(sum_not_reset(alone.search, exact, pace).await);
     }
     if found.is_empty() {
         found.extend(misread_rows::find(alone, pace).await);
@@ -96,54 +101,107 @@ pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanati
 
 /// That all angles are multiplied by the same factor, which is worked out by least squares.
 async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
-    let search = fits.search;
-    let angles = (0..search.model.skeleton().joints().len()).flat_map(|joint| {
-        let radians = search.pose.rotation(joint).radians;
-        radians.to_array()
-    });
     // A single angle that is another one is another pose, unless by a factor that programs often have.
-    if angles.filter(|angle| *angle != 0.0).count() < 2 {
+    if angles(fits).count() < 2 {
         return made_by(&ANGLES_SCALED, fits, |_| true, pace).await;
     }
-    let formula = |factor: f64| {
-        let mut formula = fits.formula();
-        formula.joint.angles = [factor; 3];
-        formula
-    };
-    let placed = |factor: f64| {
-        let mut skinner = Skinner::new(search.model, search.pose, &formula(factor));
-        let sample = search.sample.iter();
-        let placed: Vec<DVec3> = sample.map(|&vertex| skinner.place(vertex).at).collect();
-        placed
-    };
+    let sample: Vec<usize> = (0..fits.search.sample.len()).collect();
     for begin in FACTORS {
-        let mut factor = begin;
-        for _ in 0..STEPS {
-            let at = placed(factor);
-            let further = placed(factor + A_LITTLE);
-            pace.after(2 * search.sample.len()).await;
-            let (mut along, mut square) = (0.0, 0.0);
-            for ((at, further), &vertex) in at.iter().zip(further).zip(&search.sample) {
-                let by = (further - *at) / A_LITTLE;
-                along += by.dot(search.theirs[vertex] - *at);
-                square += by.length_squared();
-            }
-            factor += along / square;
-        }
-        if !factor.is_finite() {
+        let Some(factor) = fitted_factor(fits, begin, &sample, pace).await else {
             continue;
-        }
-        // Rounded numbers lead to a factor that is only near the right one.
-        for factor in coarse_pis_from(factor).chain(iter::once(factor)) {
-            if let Some(given) = fits.given_by(&formula(factor), &ANGLES_SCALED, pace).await {
-                return vec![Explanation {
-                    how: Some(told_factor(factor)),
-                    ..given
-                }];
-            }
+        };
+        if let Some(given) = given_by_factor(fits, factor, pace).await {
+            return vec![given];
         }
     }
     Vec::new()
+}
+
+/// The same beside another mistake.
+pub(super) async fn scaled_angles_beside(fits: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
+    // Fewer could be any others by a factor and a mistake that loses some.
+    if angles(fits).count() < FEWEST_ANGLES {
+        return None;
+    }
+    let count = fits.search.sample.len();
+    let few: Vec<usize> = (0..count).step_by(count.div_ceil(FEW).max(1)).collect();
+    for begin in FACTORS {
+        // One that turns joints the other way would undo a sign.
+        let factor = fitted_factor(fits, begin, &few, pace).await;
+        if let Some(factor) = factor.filter(|factor| *factor > 0.0) {
+            let given = given_by_factor(fits, factor, pace).await;
+            if given.is_some() {
+                return given;
+            }
+        }
+    }
+    None
+}
+
+/// The angles that the formula turns joints by.
+fn angles(fits: &MadeAlone<'_>) -> impl Iterator<Item = f64> {
+    let search = fits.search;
+    let factors = DVec3::from_array(fits.formula().joint.angles);
+    let joints = 0..search.model.skeleton().joints().len();
+    let angles = joints.flat_map(move |joint| {
+        let radians = search.pose.rotation(joint).radians.as_dvec3();
+        (radians * factors).to_array()
+    });
+    angles.filter(|angle| *angle != 0.0)
+}
+
+fn scaled_by(fits: &MadeAlone<'_>, factor: f64) -> Formula {
+    let mut formula = fits.formula();
+    for angle in &mut formula.joint.angles {
+        *angle *= factor;
+    }
+    formula
+}
+
+/// The factor of all angles with which vertices come nearest, those at these places of the sample, sought from `begin` on;
+/// `None` if they tell none.
+async fn fitted_factor(
+    fits: &MadeAlone<'_>,
+    begin: f64,
+    places: &[usize],
+    pace: &Pace,
+) -> Option<f64> {
+    let search = fits.search;
+    let vertices = || places.iter().map(|&place| search.sample[place]);
+    let placed = |factor: f64| {
+        let mut skinner = Skinner::new(search.model, search.pose, &scaled_by(fits, factor));
+        let placed: Vec<DVec3> = vertices().map(|vertex| skinner.place(vertex).at).collect();
+        placed
+    };
+    let mut factor = begin;
+    for _ in 0..STEPS {
+        let at = placed(factor);
+        let further = placed(factor + A_LITTLE);
+        pace.after(2 * places.len()).await;
+        let (mut along, mut square) = (0.0, 0.0);
+        for ((at, further), vertex) in at.iter().zip(further).zip(vertices()) {
+            let by = (further - *at) / A_LITTLE;
+            along += by.dot(search.theirs[vertex] - *at);
+            square += by.length_squared();
+        }
+        factor += along / square;
+    }
+    factor.is_finite().then_some(factor)
+}
+
+/// The explanation by a factor of all angles, if one that is there or next to it gives the mesh.
+async fn given_by_factor(fits: &MadeAlone<'_>, factor: f64, pace: &Pace) -> Option<Explanation> {
+    // Rounded numbers lead to a factor that is only near the right one.
+    for factor in coarse_pis_from(factor).chain(iter::once(factor)) {
+        let formula = scaled_by(fits, factor);
+        if let Some(given) = fits.given_by(&formula, &ANGLES_SCALED, pace).await {
+            return Some(Explanation {
+                how: Some(told_factor(factor)),
+                ..given
+            });
+        }
+    }
+    None
 }
 
 /// A π that programs have, in words, and by how much it is another one than π. One of 3.1416 or more digits cannot be told
@@ -178,11 +236,10 @@ fn told_factor(factor: f64) -> String {
 }
 
 /// That the sum goes on from vertex to vertex.
-async fn sum_not_reset(alone: &MadeAlone<'_>, pace: &Pace) -> Option<Explanation> {
-    let search = alone.search;
+async fn sum_not_reset(search: &Search<'_>, exact: &[Placed], pace: &Pace) -> Option<Explanation> {
     let (mut before, mut largest) = (DVec3::ZERO, 0.0_f64);
     let mut error = 0.0_f64;
-    for (vertex, (&theirs, exact)) in search.theirs.iter().zip(alone.exact).enumerate() {
+    for (vertex, (&theirs, exact)) in search.theirs.iter().zip(exact).enumerate() {
         largest = largest.max(theirs.abs().max_element());
         let distance = exact.distance(theirs - before) - ROUNDING_OF_SUMS * largest;
         if distance.is_nan() || distance > search.tolerance {

@@ -1,6 +1,7 @@
 //! Diagnosing: which mistake in skinning gives a mesh. The meshes come from a program of its own
 //! (`student.rs`), which shares no formula with the library.
 
+mod beside;
 mod choices;
 mod collada;
 mod correct;

@@ -84,7 +84,7 @@ no-inverse-bind: vertices are moved by T alone, without the inverse of B
 fn a_mesh_without_a_cause_is_told_to_have_none_and_where_it_is_off() {
     let ran = diagnose(folder().path(), "odd.obj", "man.obj", "bend.json");
     let told = "\
-unexplained: 200.0 % of the size away from the exact result in this pose, and no known mistake gives this mesh, nor do two of them
+unexplained: 200.0 % of the size away from the exact result in this pose, and no known mistake gives this mesh, nor do two of those that are tried together
   shown by Tip, vertex 2 (from 0): theirs (-3.0000, 7.0000, 0.0000), exact (-2.0000, 1.0000, 0.0000)
   off      Tip: 100 % of its vertices, by up to 200.0 % of the size
 ";

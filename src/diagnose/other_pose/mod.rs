@@ -5,7 +5,8 @@ mod fit;
 mod shared;
 mod solve;
 
-use super::diagnosis_words::vector;
+use super::diagnosis::ToldMistake;
+use super::diagnosis_words::{of_size, vector};
 use super::model::Model;
 use super::skin::Skinner;
 use super::{Formula, VertexOrder};
@@ -16,7 +17,7 @@ use fewest::{fewest, with_small_turns_put_back};
 use fit::{Fit, Posed};
 use glam::{DMat3, DVec3, Vec3};
 use serde::Serialize;
-use shared::{SharedTurn, moving, plainest};
+use shared::{SharedTurn, moving_or_below, plainest};
 use std::fmt;
 use std::ops::RangeInclusive;
 
@@ -45,8 +46,10 @@ pub struct OtherPose {
     /// How much of the expected pose it has, 0 to 1: of the joints that move vertices and that either pose turns or
     /// moves, those that are as expected, and half of those that are turned otherwise in both.
     pub as_expected: f64,
-    /// How far the mesh is from the exact one in that pose, at most and by the size.
+    /// How far the mesh is from the exact one in that pose, at most and by the size, or from the one of the mistake besides.
     pub error: f64,
+    /// A mistake that moves vertices by less than anybody sees, with which the mesh is of that pose.
+    pub besides: Option<ToldMistake>,
 }
 
 /// A joint that is in another place of its range than expected.
@@ -126,6 +129,16 @@ fn angles(of: [f32; 3], digits: i32) -> String {
 }
 
 impl OtherPose {
+    /// In words, but for what the mesh is the exact one in that pose, if agreeing within `tolerance` by the size does not say
+    /// it.
+    pub fn but_for(&self, tolerance: f64) -> Option<String> {
+        match &self.besides {
+            Some(mistake) => Some(format!("but for {}", mistake.id)),
+            None if self.error > tolerance => Some(format!("but for {}", of_size(self.error))),
+            None => None,
+        }
+    }
+
     /// The joints that are told in words, those first that are turned most, and how many others there are.
     pub fn told(&self) -> (Vec<&TurnedJoint>, usize) {
         let mut told: Vec<&TurnedJoint> = self.joints.iter().collect();
@@ -184,6 +197,7 @@ pub(super) async fn find(
         as_expected: share_of_expected(model, expected, &joints),
         joints,
         error: error / size,
+        besides: None,
     })
 }
 
@@ -267,7 +281,7 @@ impl Search<'_> {
 /// moves vertices and is turned or moved in either counts whole where it is as expected, half where it is turned
 /// otherwise, and not at all where it is at rest in one of both.
 fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> f64 {
-    let (_, moves) = moving(model);
+    let moves = moving_or_below(model);
     let (mut all, mut counted) = (0.0, 0.0);
     for joint in (0..moves.len()).filter(|&joint| moves[joint]) {
         let is_expected = expected.is_changed(joint);

@@ -25,7 +25,7 @@ impl SharedTurn {
     /// All of a model, from the root on. Places within `tolerance` are the same.
     pub(super) fn all(model: &Model, tolerance: f64) -> Vec<Self> {
         let joints = model.skeleton().joints();
-        let (own, below) = moving(model);
+        let (own, below) = (&model.moves, moving_or_below(model));
         let of_parent = model.by_depth.iter().filter_map(|&parent| {
             let children = model.skeleton().children(parent).iter().copied();
             let children: Vec<usize> = children.filter(|&child| below[child]).collect();
@@ -97,21 +97,14 @@ fn from_plain(posed: &Posed, expected: &Posed) -> u32 {
     of_joint.sum()
 }
 
-/// For each joint, whether it moves vertices, and whether it or one below it does.
-pub(super) fn moving(model: &Model) -> (Vec<bool>, Vec<bool>) {
+/// For each joint, whether it or one below it moves vertices.
+pub(super) fn moving_or_below(model: &Model) -> Vec<bool> {
     let joints = model.skeleton().joints();
-    let mut own = vec![false; joints.len()];
-    for vertex in 0..model.positions.len() {
-        let influences = model.influences(vertex).iter();
-        for influence in influences.filter(|influence| influence.weight != 0.0) {
-            own[influence.joint as usize] = true;
-        }
-    }
-    let mut below = own.clone();
+    let mut below = model.moves.clone();
     for &joint in model.by_depth.iter().rev() {
         if let Some(parent) = joints[joint].parent {
             below[parent] |= below[joint];
         }
     }
-    (own, below)
+    below
 }

@@ -300,7 +300,7 @@ impl Parts<'_> {
         let palette = Palette::of(ui.visuals());
         let found = diagnosis.found();
         if let Some(other) = &diagnosis.other_pose {
-            self.other_pose(ui, other);
+            self.other_pose(ui, other, other.but_for(diagnosis.tolerance));
         }
         for (index, finding) in found.iter().enumerate() {
             let is_first = index == 0 && diagnosis.other_pose.is_none();
@@ -312,7 +312,8 @@ impl Parts<'_> {
             say(ui, &sentence(finding), color);
         }
         if found.is_empty() && diagnosis.other_pose.is_none() {
-            let text = "No known mistake gives this mesh in this pose, nor do two of them.";
+            let text = "No known mistake gives this mesh in this pose, nor do two of those that are tried \
+                        together.";
             say(ui, text, palette.strong);
             let name = self.compare.name;
             if diagnosis.agrees.min(diagnosis.moved_agree) > MOSTLY_RIGHT {
@@ -350,10 +351,16 @@ impl Parts<'_> {
     }
 
     /// In which pose theirs is right, and how to take it.
-    fn other_pose(&mut self, ui: &mut Ui, other: &OtherPose) {
+    fn other_pose(&mut self, ui: &mut Ui, other: &OtherPose, but_for: Option<String>) {
         let palette = Palette::of(ui.visuals());
-        let text = "This is the exact result, but of another pose.";
-        say(ui, text, palette.strong);
+        let text = match but_for {
+            Some(but_for) => format!("{but_for}, this is the exact result of another pose"),
+            None => "this is the exact result, but of another pose".to_owned(),
+        };
+        say(ui, &sentence(&text), palette.strong);
+        if let Some(mistake) = &other.besides {
+            say(ui, &mistake.to_string(), palette.text);
+        }
         let name = self.compare.name;
         let text = format!(
             "If that is the pose that {name} was made in, load it or take it here. If not, the program that \
