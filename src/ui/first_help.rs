@@ -99,21 +99,14 @@ fn first_steps(
 ) -> Vec<(&'static str, &'static str)> {
     let mut lines = vec![("Look around", state.navigation.summary(pointing))];
     let shapes = session.scene().shapes();
-    let with_keys = match state.navigation {
-        Navigation::Blender => "press J and drag a bone, or drag a number at the right",
-        _ => "press B and drag a bone, or drag a number at the right",
-    };
-    lines.push(match state.pose.tool {
-        Tool::Pose => ("Pose", "drag a bone, or a number at the right"),
-        _ => (
-            "Pose",
-            pointing.words(with_keys, "tap Pose, the second tool, and drag a bone"),
-        ),
+    let is_any = |is: fn(&ShapeKind) -> bool| shapes.iter().any(|shape| is(&shape.kind));
+    let has_character = is_any(|kind| matches!(kind, ShapeKind::Character(_)));
+    let has_curve = is_any(|kind| matches!(kind, ShapeKind::Curve(_)));
+    lines.push(match has_curve && !has_character {
+        true => ("Shape", "drag a control point, or a number at the right"),
+        false => ("Pose", posing(state, pointing)),
     });
-    if shapes
-        .iter()
-        .any(|shape| matches!(shape.kind, ShapeKind::Character(_)))
-    {
+    if has_character {
         lines.push((
             "Check",
             "View ⏵ Compare with Mesh… tells what is wrong in yours",
@@ -127,4 +120,16 @@ fn first_steps(
         ),
     ));
     lines
+}
+
+/// How a character is posed.
+fn posing(state: &UiState, pointing: Pointing) -> &'static str {
+    let with_keys = match state.navigation {
+        Navigation::Blender => "press J and drag a bone, or drag a number at the right",
+        _ => "press B and drag a bone, or drag a number at the right",
+    };
+    match state.pose.tool {
+        Tool::Pose => "drag a bone, or a number at the right",
+        _ => pointing.words(with_keys, "tap Pose, the second tool, and drag a bone"),
+    }
 }

@@ -255,6 +255,17 @@ fn the_row_under_the_pointer_marks_its_joint_and_the_view_may_mark_others() {
 }
 
 #[test]
+fn the_tip_of_a_joint_has_its_number_in_the_file() {
+    let mut editor = Editor::with_figure();
+    editor.reveal("Neck");
+    editor.widget("Neck").hover();
+    editor.wait();
+    let tip = "Neck, joint 3 of the file (from 0)";
+    let painted = editor.painted();
+    assert!(painted.iter().any(|(text, _)| text == tip), "{painted:?}");
+}
+
+#[test]
 fn the_question_mark_can_be_typed_into_the_search() {
     let mut editor = Editor::with_figure();
     editor.click("Find joints");

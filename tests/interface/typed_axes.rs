@@ -3,6 +3,7 @@
 use crate::interface::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::math::{Euler, Transform};
+use editor_core::scene::ViewDirection;
 use editor_core::ui::Navigation;
 use egui::{Color32, Key, Modifiers};
 use glam::{Vec3, vec2};
@@ -142,6 +143,21 @@ fn a_turn_is_about_the_axis_with_shift_as_without() {
     });
     assert!(degrees[0].abs_diff_eq(Vec3::Z * 30.0, 1e-3), "{degrees:?}");
     assert_eq!(degrees[1], degrees[0]);
+}
+
+#[test]
+fn without_an_axis_a_number_turns_clockwise_in_the_picture_as_in_blender() {
+    for (direction, away) in [
+        (ViewDirection::PlusZ, Vec3::NEG_Z),
+        (ViewDirection::PlusY, Vec3::NEG_Y),
+        (ViewDirection::MinusX, Vec3::X),
+    ] {
+        let mut editor = with_cube(Vec3::X);
+        editor.view(View::From(direction));
+        editor.keys(&plain(&[Key::R, Key::Num3, Key::Num0, Key::Enter]));
+        let degrees = editor.transform().rotation.degrees();
+        assert!(degrees.abs_diff_eq(away * 30.0, 1e-2), "{degrees}");
+    }
 }
 
 #[test]

@@ -105,9 +105,18 @@ fn the_help_for_newcomers_tells_what_is_left_to_do() {
     let with_key = "press B and drag a bone, or drag a number at the right";
     assert!(!editor.has(check), "there is nothing to compare");
     assert!(editor.has(with_key));
+    let of_points = "drag a control point, or a number at the right";
+    assert!(!editor.has(of_points), "there is none");
+    editor.choose(&["Insert", "Circle"]);
+    editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    assert!(editor.has(of_points));
 
     let mut editor = Editor::with_figure();
+    editor.choose(&["Insert", "Circle"]);
     editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    assert!(editor.has(with_key) && !editor.has(of_points));
     editor.key(Key::B);
     editor.settle();
     assert!(editor.has(check));

@@ -26,6 +26,8 @@ pub(in crate::ui) struct Held {
     /// Axes of the gizmos.
     pub(super) axes: GizmoAxes,
     pub(super) typed: Typed,
+    /// Whether a key began it.
+    by_key: bool,
     /// Whether anything was asked for yet: a pointer that rests where it took hold changes nothing, not even by
     /// rounding.
     has_begun: bool,
@@ -54,7 +56,16 @@ impl Held {
             pointer,
             axes,
             typed: Typed::default(),
+            by_key: false,
             has_begun: false,
+        }
+    }
+
+    /// The same for one that a key begins, which no button holds.
+    pub(super) fn by_key(drag: Drag, pointer: Ray, axes: GizmoAxes) -> Self {
+        Self {
+            by_key: true,
+            ..Self::new(drag, None, pointer, axes)
         }
     }
 
@@ -168,10 +179,11 @@ impl Held {
     }
 
     /// Sign that an angle has where it is shown and typed: about an axis that was typed that of the
-    /// turn about it, else that of the number in the panel.
+    /// turn about it, else that of the number in the panel. By a key it is positive clockwise in the picture, as in
+    /// Blender, and so about the axis away from the eye.
     pub(super) fn sign(&self) -> f64 {
         match &self.drag {
-            _ if self.typed.constraint(self.axes).is_some() => 1.0,
+            _ if self.by_key || self.typed.constraint(self.axes).is_some() => 1.0,
             Drag::Bone(drag) => drag.panel_sign(),
             Drag::Ring(drag) => drag.panel_sign(),
             Drag::Turn(drag) => drag.panel_sign(),

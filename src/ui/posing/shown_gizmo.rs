@@ -246,5 +246,5 @@ pub(super) fn begin_by_key(
         }
         (Tool::Select | Tool::Pose | Tool::Ik, _) => return None,
     };
-    Some(Held::new(drag, None, ray, state.axes))
+    Some(Held::by_key(drag, ray, state.axes))
 }
