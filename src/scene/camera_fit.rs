@@ -212,7 +212,7 @@ impl Camera {
     }
 
     /// Rays from all over a picture of `aspect`, [`ACROSS`] in each direction.
-    fn rays(&self, aspect: f32) -> impl Iterator<Item = Ray> {
+    pub(super) fn rays(&self, aspect: f32) -> impl Iterator<Item = Ray> {
         let pixel = Vec2::new(aspect, 1.0);
         let all = 0..ACROSS * ACROSS;
         all.map(move |at| {

@@ -166,7 +166,8 @@ impl EvaluatedGeometry {
         nearest.map(|(index, _)| index)
     }
 
-    fn nearest_triangle(&self, ray: &Ray) -> Option<(usize, TriangleHit)> {
+    /// Index of the triangle that `ray`, in model space, meets first, and where.
+    pub(super) fn nearest_triangle(&self, ray: &Ray) -> Option<(usize, TriangleHit)> {
         let (positions, triangles) = (self.positions(), &self.mesh.triangles);
         let order = self.mesh.triangle_order();
         let boxes = self.boxes.get_or_init(|| order.boxes(positions, triangles));

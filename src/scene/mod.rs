@@ -16,6 +16,7 @@ mod evaluate;
 mod evaluate_curves;
 mod ik_settings;
 mod import_curve;
+mod joints_fit;
 mod method_blend;
 mod missing_joints;
 mod picking;

@@ -8,6 +8,7 @@ mod compare;
 mod curves;
 mod explaining;
 mod figure;
+mod fitted_joints;
 mod ik;
 mod joints;
 mod layout;

@@ -4,8 +4,8 @@ use super::Command;
 use super::run::selected_character;
 use crate::character::Mirror;
 use crate::editor::{Edit, Session, Tool};
-use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, FitArea, ShapeId, bones_in_world};
+use crate::math::Euler;
+use crate::scene::{Camera, FitArea, ShapeId};
 use crate::ui::state::UiState;
 use crate::ui::{Action, Ask, Navigation};
 use glam::Vec3;
@@ -124,7 +124,7 @@ pub(super) fn pasted_onto(command: Command, session: &Session, state: &UiState) 
     }))
 }
 
-/// The camera that has the bones of the selected joints in its `area`, as in Blender while its navigation is chosen and
+/// The camera that has the selected joints with their skin in its `area`, as in Blender while its navigation is chosen and
 /// bones are posed.
 pub(super) fn fitted_to_joints(
     session: &Session,
@@ -132,15 +132,10 @@ pub(super) fn fitted_to_joints(
     area: FitArea,
 ) -> Option<Camera> {
     let shape = posed_character(session, state)?;
-    let joints = session.selected_joints();
     let evaluated = session.evaluated().shape(shape)?;
-    let bones = bones_in_world(session.scene(), evaluated);
-    let bones = bones.filter(|(joint, ..)| joints.contains(joint));
-    let bounds = Aabb::from_points(bones.flat_map(|(_, start, end)| [start, end]));
-    let is_meant = state.navigation == Navigation::Blender && !bounds.is_empty();
-    is_meant.then(|| {
-        let mut camera = session.view().camera;
-        camera.fit(&bounds, area);
-        camera
-    })
+    let joints = session.selected_joints();
+    let mut camera = session.view().camera;
+    let is_meant = state.navigation == Navigation::Blender
+        && camera.fit_joints(session.scene(), evaluated, joints, area);
+    is_meant.then_some(camera)
 }
