@@ -226,6 +226,58 @@ fn an_off_by_one_of_the_weights_is_named_and_its_worst_vertex_found_by_one_click
 }
 
 #[test]
+fn a_vertex_that_is_off_along_its_normal_is_shown_with_the_line_between_its_places_across_the_view()
+{
+    let mut story = posed();
+    let figure = dog();
+    let exact = RIGHT.skin(&figure);
+    let size = {
+        let bounds = story.session().evaluated().shapes[0].world_bounds();
+        bounds.size().length()
+    };
+    let world = story.session().evaluated().shapes[0].world_from_model;
+    let triangles = story.session().evaluated().shapes[0].geometry.mesh.clone();
+    for vertex in [40, 1500, 4000] {
+        let own = triangles.triangles.iter();
+        let own = own.filter(|corners| corners.contains(&(vertex as u32)));
+        let normals = own.map(|corners| {
+            let [a, b, c] = corners.map(|corner| exact[corner as usize]);
+            (b - a).cross(c - a)
+        });
+        let normal = normals.sum::<Vec3>().try_normalize().expect("a surface");
+        for by in [-0.9, -0.1, 0.002, 0.1, 0.9] {
+            let mut theirs = exact.clone();
+            theirs[vertex] += by * size * normal;
+            let mesh = obj(&theirs, &figure, |number| format!("{number:.6}"));
+            compare_with(&mut story, mesh.into_bytes());
+            story.click("Show the Worst Vertex");
+            let ends = [exact[vertex], theirs[vertex]].map(|at| world.transform_point3(at));
+            let seen = ends.map(|end| story.at(end));
+            let view = story.view().shrink(20.0);
+            assert!(
+                seen.iter().all(|&end| view.contains(end)),
+                "{vertex} {by}: {seen:?}"
+            );
+            let towards_eye = (story.session().view().camera.eye() - ends[0]).normalize_or_zero();
+            let outward = world.transform_vector3(normal).normalize_or_zero();
+            let faces = towards_eye.dot(outward);
+            if by == 0.002 {
+                // What is a point anyway is seen from where the surface looks, though not too steeply.
+                assert!(faces > 0.9, "{vertex}: {faces}");
+            } else {
+                let apart = seen[0].distance(seen[1]);
+                assert!(
+                    apart > 0.15 * view.height(),
+                    "{vertex} {by}: {apart} points"
+                );
+                assert!(faces > 0.0, "{vertex} {by}: seen from behind");
+            }
+            story.key(Key::Escape);
+        }
+    }
+}
+
+#[test]
 fn the_numbers_are_those_of_the_exact_mesh() {
     let story = comparing(&off_by_one());
     let figure = dog();

@@ -1,5 +1,6 @@
 //! A comparison of a character with a mesh that another program posed, as the panels show it.
 
+use super::across::{looking_from, with_across};
 use crate::diagnose::{DiagnoseError, Diagnosis, MeshMeasure};
 use crate::editor::Session;
 use crate::math::Aabb;
@@ -67,8 +68,8 @@ pub struct CompareMeshView<'a> {
 
 /// Half of the room around a vertex that the camera goes to, by the size of the mesh.
 const ROOM: f32 = 0.08;
-/// Most that the camera looks down at a vertex, or up, in radians.
-const STEEPEST: f32 = 1.2;
+/// Least distance of the two places of a vertex, by the size of the mesh, that is seen as a line.
+const A_LINE: f32 = 0.005;
 
 impl CompareMeshView<'_> {
     /// Where a vertex is in ours and in theirs, in the world; `None` if one of them has none, or no
@@ -81,7 +82,8 @@ impl CompareMeshView<'_> {
         places.iter().all(|at| at.is_finite()).then_some(places)
     }
 
-    /// The camera before a vertex, from where the surface looks, with both places in the picture.
+    /// The camera before a vertex, from where the surface looks, with both places in the picture, and turned where one
+    /// would hide the other.
     pub(super) fn camera(&self, session: &Session, vertex: usize, area: FitArea) -> Option<Camera> {
         let places = self.places(session, vertex)?;
         let ours = session.evaluated().shape(self.shape)?;
@@ -101,8 +103,11 @@ impl CompareMeshView<'_> {
             (b - a).cross(c - a)
         });
         if let Some(normal) = normals.sum::<Vec3>().try_normalize() {
-            let phi = normal.y.asin().clamp(-STEEPEST, STEEPEST);
-            camera = camera.facing(normal, phi);
+            camera = looking_from(camera, normal);
+        }
+        let [exact, theirs] = places;
+        if exact.distance(theirs) >= A_LINE * size {
+            camera = with_across(camera, theirs - exact);
         }
         camera.fit(&bounds, area);
         Some(camera)

@@ -3,6 +3,7 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
+mod across;
 mod bones_seen;
 mod hints;
 mod limbs;
