@@ -68,8 +68,7 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
-    /// What its vertices count for by how near they are ([`nearness`](super::nearness::nearness)), or the share of the
-    /// silhouette that agrees, 0 to 1.
+    /// What its vertices count for by how near they are, or the share of the silhouette that agrees, 0 to 1.
     pub near: f64,
     /// How much of the test's pose another one has, 0 to 1
     /// ([`OtherPose::as_expected`](crate::diagnose::OtherPose::as_expected)); 0 without another pose, and where that is the
