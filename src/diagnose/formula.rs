@@ -386,6 +386,7 @@ impl Default for Formula {
                 is_completed: false,
                 kept: Kept::All,
                 rescaled: Rescaled::No,
+                is_overwritten: false,
                 columns: Columns::Exact,
                 factor: 1.0,
             },

@@ -239,7 +239,8 @@ impl<'a> Joints<'a> {
         let in_list = list.iter().position(|&joint| joint == index);
         let (place, count) = in_list.map_or((index, self.order.len()), |place| (place, list.len()));
         // The root, which comes first, has no column in an .attach file.
-        let first = usize::from(in_list.is_none() && at_end == AtEnd::Lost);
+        let is_by_columns = matches!(at_end, AtEnd::Lost | AtEnd::OtherColumn);
+        let first = usize::from(in_list.is_none() && is_by_columns);
         let next = match is_before {
             true => place.checked_sub(1).filter(|next| *next >= first),
             false => Some(place + 1).filter(|next| *next < count),
@@ -258,8 +259,8 @@ impl<'a> Joints<'a> {
             (None, AtEnd::OfAll) => Some(index + 1).filter(unlisted),
             (None, AtEnd::Lost) => None,
             (None, AtEnd::Same) => Some(index),
-            (None, AtEnd::OtherEnd) if is_before => Some(joint_at(count - 1)),
-            (None, AtEnd::OtherEnd) => Some(joint_at(0)),
+            (None, AtEnd::OtherEnd | AtEnd::OtherColumn) if is_before => Some(joint_at(count - 1)),
+            (None, AtEnd::OtherEnd | AtEnd::OtherColumn) => Some(joint_at(first.min(count - 1))),
         }
     }
 

@@ -77,12 +77,12 @@ pub static MISTAKES: &[Mistake] = &[
             reading("the first one not at all", |formula| {
                 formula.weights.columns = Columns::Before(AtEnd::Lost);
             }),
-            reading("the first one for the first joint, too", |formula| {
+            reading("the first one for itself", |formula| {
                 formula.weights.columns = Columns::Before(AtEnd::Same);
             }),
             // Of two joints that is each other's weights.
             rare_reading("the first one for the last joint", |formula| {
-                formula.weights.columns = Columns::Before(AtEnd::OtherEnd);
+                formula.weights.columns = Columns::Before(AtEnd::OtherColumn);
             }),
         ],
     },
@@ -96,11 +96,14 @@ pub static MISTAKES: &[Mistake] = &[
             reading("the last one for none", |formula| {
                 formula.weights.columns = Columns::After(AtEnd::OfAll);
             }),
-            reading("the last one for the last joint, too", |formula| {
+            reading("the last one for itself", |formula| {
                 formula.weights.columns = Columns::After(AtEnd::Same);
             }),
             // Of two joints that is each other's weights.
-            rare_reading("the last one for the first joint", |formula| {
+            rare_reading("the last one for the joint that has the first", |formula| {
+                formula.weights.columns = Columns::After(AtEnd::OtherColumn);
+            }),
+            rare_reading("the last one for the root", |formula| {
                 formula.weights.columns = Columns::After(AtEnd::OtherEnd);
             }),
         ],
@@ -284,6 +287,11 @@ pub static MISTAKES: &[Mistake] = &[
             reading("the root is given what they lack", |formula| {
                 formula.weights.is_completed = true
             }),
+            // The same unless another mistake leaves out a joint.
+            reading(
+                "they are divided by the sum of those that are used",
+                |formula| formula.weights.rescaled = Rescaled::ToOneOfUsed,
+            ),
         ],
     },
     one_way!(

@@ -20,13 +20,13 @@ pub(super) static SUM_OVERWRITTEN: Mistake = Mistake {
     look_at: "updateMeshVertices: what each joint gives is added (+=), not assigned (=)",
     readings: &[
         reading("the last one with a weight counts", |formula| {
-            formula.weights.kept = Kept::Last;
+            formula.weights.is_overwritten = true;
         }),
         reading(
             "the last one with a weight counts, as if it weighed 1",
             |formula| {
-                formula.weights.kept = Kept::Last;
-                formula.weights.rescaled = Rescaled::ToOne;
+                formula.weights.rescaled = Rescaled::ToOnes;
+                formula.weights.is_overwritten = true;
             },
         ),
         reading(

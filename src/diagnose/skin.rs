@@ -147,7 +147,7 @@ impl<'a> Skinner<'a> {
         if influences.is_empty() || self.formula.factors == Factors::Nothing {
             return written;
         }
-        keep(influences, self.formula.weights, &mut self.kept);
+        self.keep(influences);
         let parts = self
             .kept
             .iter()
@@ -174,12 +174,23 @@ impl<'a> Skinner<'a> {
         let at = if is_unweighted || self.formula.factors == Factors::Nothing {
             bind
         } else {
-            keep(influences, self.formula.weights, &mut self.kept);
+            self.keep(influences);
             self.sum(bind, &self.kept)
         };
         Placed {
             at: at * DVec3::from_array(self.formula.written),
             is_unweighted,
+        }
+    }
+
+    /// Keeps the weights of a vertex that count.
+    fn keep(&mut self, influences: &[Influence]) {
+        keep(influences, self.formula.weights, &mut self.kept);
+        // Only here it is known which columns are taken for no joint.
+        if self.formula.weights.rescaled == Rescaled::ToOneOfUsed {
+            self.kept
+                .retain(|&(index, _)| self.palette[index].is_some());
+            scale_to(self.formula.weights.factor, &mut self.kept);
         }
     }
 
@@ -276,18 +287,20 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
             let least = f64::from(least as f32);
             kept.retain(|(_, weight)| *weight >= least);
         }
-        Kept::Last => {
-            kept.drain(..kept.len().saturating_sub(1));
-        }
     }
     match formula.rescaled {
         Rescaled::No => {}
         Rescaled::ToOneWhereCut if kept.len() == count => {}
-        Rescaled::ToOne | Rescaled::ToOneWhereCut => scale_to(1.0, kept),
+        Rescaled::ToOne | Rescaled::ToOneOfUsed | Rescaled::ToOneWhereCut => scale_to(1.0, kept),
         Rescaled::ToSumOfAll => scale_to(sum_of_all, kept),
         Rescaled::ToOnes => each(kept, |_| 1.0),
         Rescaled::ToMean => each(kept, |_| 1.0 / count as f64),
         Rescaled::ByCount => each(kept, |weight| weight / count as f64),
+    }
+    if formula.is_overwritten {
+        let last = kept.iter().copied().max_by_key(|(joint, _)| *joint);
+        kept.clear();
+        kept.extend(last);
     }
     for (_, weight) in kept {
         *weight *= formula.factor;

@@ -15,6 +15,8 @@ pub struct WeightFormula {
     pub kept: Kept,
     /// How those that are kept are changed.
     pub rescaled: Rescaled,
+    /// Whether each takes the place of those before it, in the order of the joints, so that the last alone counts.
+    pub is_overwritten: bool,
     /// Which joint each belongs to.
     pub columns: Columns,
     /// Factor of each in the end.
@@ -92,6 +94,8 @@ pub enum Rescaled {
     No,
     /// They are divided by their sum.
     ToOne,
+    /// They are divided by the sum of those whose columns are taken for a joint.
+    ToOneOfUsed,
     /// They are divided by their sum where some were left out.
     ToOneWhereCut,
     /// They sum to what all did.
@@ -144,8 +148,10 @@ pub enum AtEnd {
     Lost,
     /// The same joint.
     Same,
-    /// The joint at the other end.
+    /// The joint at the other end, which may be the root, though that has no column in an .attach file.
     OtherEnd,
+    /// The joint that has the column at the other end.
+    OtherColumn,
 }
 
 /// Which weights of a vertex are kept.
@@ -157,8 +163,6 @@ pub enum Kept {
     Largest(usize),
     /// So many of those that are not zero, in the order of the joints.
     First(usize),
-    /// The last of those that are not zero, in the order of the joints.
-    Last,
     /// Those of at least this, in single precision.
     From(f64),
 }

@@ -18,21 +18,35 @@ type OfCharacter<'a> = Vec<(&'a TestData, &'a mut Graded)>;
 
 /// Has the meshes of each character count as late, where they are in one of the orders in which a program may have made
 /// the tests, or says that all of them are of one pose. `graded` has the results of the tests of `file`, in their order.
+/// A picture of the mesh at rest counts as late where the mesh of the same pose does.
 pub(super) fn settle_late(file: &TestsFile, graded: &mut [Graded]) {
     let mut by_character: BTreeMap<PathBuf, OfCharacter> = BTreeMap::new();
-    for (test, result) in file.tests.iter().zip(graded) {
+    for (test, result) in file.tests.iter().zip(&mut *graded) {
         if test.kind == TestKind::Mesh {
             let of_character = by_character.entry(stem(test)).or_default();
             of_character.push((test, result));
         }
     }
+    let mut begun = Vec::new();
     for mut meshes in by_character.into_values() {
         let tests: Vec<&TestData> = meshes.iter().map(|(test, _)| *test).collect();
         let mut orders = orders(&tests, |test| &test.name).into_iter();
-        let late = orders.find_map(|order| Late::find(&order, &meshes));
+        let late = orders.find_map(|order| Some((Late::find(&order, &meshes)?, order[0])));
         match late {
-            Some(late) => late.settle(&mut meshes),
+            Some((late, first)) => {
+                begun.push((stem(first), first.pose.path.clone()));
+                late.settle(&mut meshes);
+            }
             None => settle_alike(&mut meshes),
+        }
+    }
+    for (test, result) in file.tests.iter().zip(graded) {
+        let is_of_first = || begun.contains(&(stem(test), test.pose.path.clone()));
+        if test.kind != TestKind::Mesh
+            && is_of_first()
+            && let Some(held) = Held::at_rest(result)
+        {
+            *result = held.settled(result);
         }
     }
 }

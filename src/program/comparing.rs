@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use super::files::file_name;
-use super::page_screenshot::view_of_page;
+use super::page_screenshot::{has_sky_of_page, view_of_page};
 use super::running::Program;
 use crate::editor::{Severity, View};
 use crate::geometry::Picture;
@@ -13,8 +13,8 @@ use std::path::PathBuf;
 impl Program {
     /// Begins a comparison with the picture `reference` from the file `path`: in the Studio look if that is what
     /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's for a
-    /// screenshot of its page and where the document is shown in its look, and otherwise the course's. Of such a screenshot
-    /// the view is compared, from where the page starts if the camera has not been moved.
+    /// screenshot of its page or of the view there, and where the document is shown in its look, and otherwise the course's. Of such a screenshot
+    /// the page the view is compared, from where the page starts if the camera has not been moved.
     pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
@@ -22,8 +22,9 @@ impl Program {
         let studio = Backdrop::of_studio(&reference);
         let of_page = view_of_page(&reference);
         let is_cut = of_page.is_some();
+        let is_page = is_cut || has_sky_of_page(&reference);
         let look = match (studio, before) {
-            _ if is_cut => Look::Mannequin,
+            _ if is_page => Look::Mannequin,
             (Some(_), _) => Look::Studio,
             (None, Look::Mannequin) => Look::Mannequin,
             (None, Look::Course | Look::Studio) => Look::Course,
@@ -35,6 +36,7 @@ impl Program {
         let mut comparison = Comparison::new(path, reference, settings, before);
         comparison.looks = (look, studio.unwrap_or_default());
         comparison.is_cut = is_cut;
+        comparison.is_page = is_page;
         comparison.camera_before = earlier;
         let camera = self.session.view().camera;
         if is_cut && camera == *self.session.start_camera() {
@@ -44,7 +46,7 @@ impl Program {
         if is_cut {
             let name = file_name(comparison.path());
             let told = format!(
-                "{name} is compared without the keyframes below it; the camera stands where the page starts, unless you \
+                "{name} is compared without what is around its view, such as the keyframes below; the camera stands where the page starts, unless you \
                  had moved it, and goes back afterwards"
             );
             self.tell(Severity::Info, told);

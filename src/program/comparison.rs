@@ -29,6 +29,8 @@ pub(super) struct Comparison {
     pub(super) camera_before: Option<Camera>,
     /// Whether panels were cut off the reference, which is a screenshot of the Virtual Mannequin's page.
     pub(super) is_cut: bool,
+    /// Whether it may show the Virtual Mannequin's page, or its view alone.
+    pub(super) is_page: bool,
     /// File of the reference.
     path: PathBuf,
     name: String,
@@ -130,6 +132,7 @@ impl Comparison {
             looks: (Look::Course, Backdrop::default()),
             camera_before: None,
             is_cut: false,
+            is_page: false,
             name: file_name(&path),
             path,
             reference: Textured::new(reference),
@@ -308,7 +311,7 @@ impl Comparison {
         let job = Job::new(Work::Compare(CompareWork {
             of: wanted,
             half,
-            is_page: self.is_cut,
+            is_page: self.is_page,
             pictures: PictureJob {
                 a: Arc::clone(&self.reference.picture),
                 b: live,

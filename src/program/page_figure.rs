@@ -54,7 +54,8 @@ impl Part {
     }
 }
 
-fn is_of_sky(color: [u8; 3]) -> bool {
+/// Whether a color is that of the page's background.
+pub(super) fn is_of_sky(color: [u8; 3]) -> bool {
     color.iter().zip(TEAL).all(|(a, b)| a.abs_diff(b) <= NOISE)
 }
 

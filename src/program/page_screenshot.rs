@@ -1,7 +1,11 @@
 //! Screenshots of the Virtual Mannequin's page, which show its keyframes below the view.
 
+use super::page_figure::is_of_sky;
+use crate::compare::Area;
 use crate::geometry::Picture;
 use crate::ui::mannequin_panels;
+use image::RgbaImage;
+use image::imageops::thumbnail;
 use std::ops::{Range, RangeInclusive};
 
 /// Rows at the top of the strip in which nothing but its color is drawn, below the frame of the view, …
@@ -18,17 +22,113 @@ const COLOR: RangeInclusive<u8> = 24..=28;
 /// Color of the frame around the page's window, of which a screenshot has the upper and the left line.
 const FRAME: RangeInclusive<u8> = 165..=175;
 
-/// The part of a screenshot of the page that shows its view; `None` for another picture.
+/// Width and height of the page's view, in its pixels.
+const VIEW: [u32; 2] = [800, 600];
+/// How many pixels of a picture are one of the page, across, in screenshots of dense screens and of a page that is made larger.
+const SCALES: [f64; 9] = [1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0];
+
+/// The part of a screenshot of the page that shows its view, in the page's pixels, whatever of a browser and of the screen is
+/// around the page; `None` for another picture.
 pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
+    view_of_whole(picture).or_else(|| view_within(picture))
+}
+
+/// Whether a picture has the sky of the page along its upper edge: it may be a screenshot of the page's view alone.
+pub(super) fn has_sky_of_page(picture: &Picture) -> bool {
+    let width = picture.width as usize;
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    // Below a frame.
+    let rows = pixels.get(width..4 * width).unwrap_or_default();
+    let of_sky = rows.iter().filter(|[r, g, b, _]| is_of_sky([*r, *g, *b]));
+    !rows.is_empty() && of_sky.count() as f64 >= MOST * rows.len() as f64
+}
+
+/// The view of a page that is only a part of the picture, or that is shown larger. Its strip of keyframes is where
+/// a long row of its color begins below rows without.
+fn view_within(picture: &Picture) -> Option<Picture> {
+    let width = picture.width as usize;
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    let rows: Vec<&[[u8; 4]]> = pixels.chunks_exact(width.max(1)).collect();
+    let share = |rows: &[&[[u8; 4]]], columns: Range<usize>| {
+        let of_rows = rows.iter().flat_map(|row| &row[columns.clone()]);
+        let of_strip = of_rows.filter(|pixel| is_of_strip(pixel)).count();
+        of_strip as f64 / (rows.len() * columns.len()).max(1) as f64
+    };
+    let view_above = |bottom: usize| -> Option<(Area, f64)> {
+        let columns = longest_in_strip(rows[bottom])?;
+        let scale = scale_of(columns.len())?;
+        let [wide, high] = VIEW.map(|size| (f64::from(size) * scale).round() as usize);
+        let top = bottom.checked_sub(high)?;
+        let [from, to] =
+            [EMPTY_ROWS.start, EMPTY_ROWS.end].map(|row| (row as f64 * scale) as usize);
+        let in_strip = share(rows.get(bottom + from..bottom + to)?, columns.clone());
+        let in_view = share(
+            &rows[bottom.saturating_sub(LAST_ROWS)..bottom],
+            columns.clone(),
+        );
+        let view = Area {
+            x: columns.start as u32,
+            y: top as u32,
+            width: wide as u32,
+            height: high as u32,
+        };
+        (in_strip >= MOST && in_view <= LEAST).then_some((view, scale))
+    };
+    let (view, scale) = (0..rows.len()).find_map(view_above)?;
+    let rgba = (view.y..view.y + view.height).flat_map(|y| {
+        let row = rows[y as usize];
+        // What is beyond the last column is like it.
+        (view.x..view.x + view.width).flat_map(move |x| row[(x as usize).min(width - 1)])
+    });
+    let found = RgbaImage::from_raw(view.width, view.height, rgba.collect())?;
+    let of_page = match scale == 1.0 {
+        true => found,
+        false => thumbnail(&found, VIEW[0], VIEW[1]),
+    };
+    Some(Picture {
+        width: VIEW[0],
+        height: VIEW[1],
+        rgba: of_page.into_raw(),
+    })
+}
+
+/// The longest part of a row that has the strip's color, if there is one.
+fn longest_in_strip(row: &[[u8; 4]]) -> Option<Range<usize>> {
+    let mut longest = 0..0;
+    let mut begin = 0;
+    for at in 0..=row.len() {
+        if row.get(at).is_none_or(|pixel| !is_of_strip(&pixel)) {
+            if at - begin > longest.len() {
+                longest = begin..at;
+            }
+            begin = at + 1;
+        }
+    }
+    (!longest.is_empty()).then_some(longest)
+}
+
+/// How many pixels of a picture are one of the page whose strip is so wide in it, but for the frame at its sides.
+fn scale_of(width: usize) -> Option<f64> {
+    let is_of = |scale: &&f64| {
+        let lacks = f64::from(VIEW[0]) * **scale - width as f64;
+        (-1.0..=2.0 * **scale + 1.0).contains(&lacks)
+    };
+    SCALES.iter().find(is_of).copied()
+}
+
+fn is_of_strip([red, green, blue, _]: &[u8; 4]) -> bool {
+    red == green && green == blue && COLOR.contains(red)
+}
+
+/// The view of a page that is all of the picture.
+fn view_of_whole(picture: &Picture) -> Option<Picture> {
     let width = picture.width as usize;
     let [strip] = mannequin_panels((picture.width, picture.height));
     let of_view = Some(strip.y as usize).filter(|&rows| rows > 0)?;
     let (pixels, _) = picture.rgba.as_chunks::<4>();
-    let is_of_strip =
-        |[red, green, blue, _]: &&[u8; 4]| red == green && green == blue && COLOR.contains(red);
     let share = |rows: Range<usize>| {
         let pixels = pixels.get(rows.start * width..rows.end * width)?;
-        let of_strip = pixels.iter().filter(is_of_strip).count();
+        let of_strip = pixels.iter().filter(|pixel| is_of_strip(pixel)).count();
         Some(of_strip as f64 / pixels.len().max(1) as f64)
     };
     let in_strip = share(of_view + EMPTY_ROWS.start..of_view + EMPTY_ROWS.end)?;

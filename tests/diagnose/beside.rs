@@ -2,7 +2,7 @@
 //! mistake.
 
 use crate::diagnose::figures::{Figure, turned, written};
-use crate::diagnose::student::{Student, with};
+use crate::diagnose::student::{Student, Weights, with};
 use editor_core::diagnose::Verdict;
 use glam::Vec3;
 
@@ -195,4 +195,49 @@ fn a_mesh_of_another_pose_is_told_though_a_mistake_moves_it_a_little_besides() {
     assert_eq!(turned.len(), 1, "{found}");
     let begins = "another pose: but for weights-normalized, this is the exact result of a pose";
     assert!(found.to_string().starts_with(begins), "{found}");
+}
+
+#[test]
+fn a_joint_that_is_left_out_before_weights_are_divided_by_their_sum_is_named_with_that() {
+    let both = Student {
+        weights: |weights| {
+            let used: Weights = weights
+                .into_iter()
+                .filter(|(joint, _)| *joint != KNEE)
+                .collect();
+            let sum: f32 = used.iter().map(|(_, weight)| weight).sum();
+            let by = if sum == 0.0 { 1.0 } else { 1.0 / sum };
+            used.into_iter()
+                .map(|(joint, weight)| (joint, weight * by))
+                .collect()
+        },
+        ..with(&[])
+    };
+    let (id, how) = ("joint-left-out", "Left knee (10)");
+    assert_both(&both.skin(&adult()), "weights-normalized", id, how);
+}
+
+#[test]
+fn a_sum_that_is_overwritten_is_named_beside_weights_that_are_left_out() {
+    let both = Student {
+        weights: |weights| {
+            let mut largest = weights;
+            largest.sort_by(|a, b| b.1.total_cmp(&a.1));
+            largest.truncate(2);
+            largest
+                .into_iter()
+                .max_by_key(|(joint, _)| *joint)
+                .into_iter()
+                .collect()
+        },
+        ..with(&[])
+    };
+    let found = adult().diagnose(&written(&both.skin(&adult()), 6));
+    let mut together = found.together();
+    together.sort_unstable();
+    assert_eq!(
+        together,
+        ["influences-cut-fewer", "sum-overwritten"],
+        "{found}"
+    );
 }

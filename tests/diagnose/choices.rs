@@ -98,17 +98,43 @@ fn joints_that_are_one_too_high_are_named_whatever_becomes_of_the_last_one() {
         },
         ..RIGHT
     };
+    let rolled = Student {
+        row: |row| {
+            let (last, others) = row.split_last().unwrap();
+            [&[*last], others].concat()
+        },
+        ..RIGHT
+    };
     let lost = with(&["weights-shifted-on"]);
     for (name, seed) in [("adult", 44), ("robot", 45)] {
         let figure = Figure::builtin(name, turned(seed));
         for (student, how) in [
             (&lost, "the last one for none"),
-            (&clamped, "the last one for the last joint, too"),
-            (&wrapped, "the last one for the first joint"),
+            (&clamped, "the last one for itself"),
+            (&wrapped, "the last one for the root"),
+            (&rolled, "the last one for the joint that has the first"),
         ] {
             let found = figure.diagnose(&written(&student.skin(&figure), 6));
             assert_eq!(found.together(), ["weights-shifted-on"], "{found}");
             assert_eq!(found.mistakes[0].how, how, "{found}");
         }
     }
+}
+
+#[test]
+fn a_first_column_that_goes_around_to_the_last_joint_is_named() {
+    let rolled = Student {
+        row: |row| {
+            let (first, others) = row.split_first().unwrap();
+            [others, &[*first]].concat()
+        },
+        ..RIGHT
+    };
+    let figure = Figure::builtin("adult", turned(44));
+    let found = figure.diagnose(&written(&rolled.skin(&figure), 6));
+    assert_eq!(found.together(), ["weights-shifted"], "{found}");
+    assert_eq!(
+        found.mistakes[0].how, "the first one for the last joint",
+        "{found}"
+    );
 }

@@ -82,13 +82,11 @@ fn numbers_that_are_off_by_one_in_a_skins_list_are_named_by_what_becomes_of_the_
         pose.set_joint_transform(joint, turned(joint));
     }
     type Off = fn(usize) -> usize;
-    let last = "the last one for the";
-    let first = "the first one for the";
-    let ways: [(Off, &str, String); 4] = [
-        (|at| (at + 1) % LISTED, "weights-shifted-on", format!("{last} first joint")),
-        (|at| (at + 1).min(LISTED - 1), "weights-shifted-on", format!("{last} last joint, too")),
-        (|at| (at + LISTED - 1) % LISTED, "weights-shifted", format!("{first} last joint")),
-        (|at| at.saturating_sub(1), "weights-shifted", format!("{first} first joint, too")),
+    let ways: [(Off, &str, &str); 4] = [
+        (|at| (at + 1) % LISTED, "weights-shifted-on", "the last one for the joint that has the first"),
+        (|at| (at + 1).min(LISTED - 1), "weights-shifted-on", "the last one for itself"),
+        (|at| (at + LISTED - 1) % LISTED, "weights-shifted", "the first one for the last joint"),
+        (|at| at.saturating_sub(1), "weights-shifted", "the first one for itself"),
     ];
     for (off, id, how) in ways {
         let found = diagnose(&character, &pose, &theirs(true, off)).unwrap();

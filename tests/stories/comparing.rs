@@ -6,6 +6,7 @@ use crate::reference_data::reference;
 use editor_core::character::Pose;
 use editor_core::compare::Area;
 use editor_core::editor::{Edit, View};
+use editor_core::geometry::Picture;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
@@ -328,7 +329,7 @@ fn an_area_that_is_left_out_is_measured_anew_and_kept_for_the_next_picture() {
 #[test]
 fn of_several_pictures_at_the_start_the_last_is_compared_with() {
     let picture = |width| {
-        let picture = editor_core::geometry::Picture {
+        let picture = Picture {
             width,
             height: 10,
             rgba: vec![7; 40 * width as usize],
@@ -401,12 +402,12 @@ fn the_view_is_the_same_after_a_comparison_as_before() {
 #[test]
 fn a_picture_larger_than_a_texture_and_one_that_is_none_are_refused_with_their_reason() {
     let mut story = Story::start(&[]);
-    let wide = editor_core::geometry::Picture {
+    let wide = Picture {
         width: 5000,
         height: 1,
         rgba: vec![7; 4 * 5000],
     };
-    let tall = editor_core::geometry::Picture {
+    let tall = Picture {
         width: 1,
         height: 5000,
         ..wide.clone()
@@ -593,18 +594,118 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
 
 /// A story in which the robot is compared with a screenshot of the page; `None` without the reference data.
 fn robot_beside(shot: &str) -> Option<Story> {
+    robot_beside_what_becomes_of(shot, |shot| shot)
+}
+
+/// The same with a picture that is made of the screenshot.
+fn robot_beside_what_becomes_of(
+    shot: &str,
+    change: impl FnOnce(Picture) -> Picture,
+) -> Option<Story> {
     let shot = reference(&format!("mannequin/shots/{shot}.png"))?;
     let robot = reference("mannequin/robot.dae")?;
+    let shot = image::decode(&shot, &std::fs::read(&shot).unwrap()).unwrap();
+    let shot = image::encode(&change(shot), PictureFormat::Png).unwrap();
     let mut host = MemoryHost::default();
-    for (name, path) in [("page.png", shot), ("robot.dae", robot)] {
-        let bytes = std::fs::read(path).unwrap();
-        host.files.insert(name.into(), bytes);
-    }
+    host.files.insert("page.png".into(), shot);
+    host.files
+        .insert("robot.dae".into(), std::fs::read(robot).unwrap());
     let mut story = Story::start_at(host, &["robot.dae"]);
     story.key(Key::F8);
     story.choose("page.png");
     judge(&mut story);
     Some(story)
+}
+
+/// A picture of this size with `inside` at a place, on white.
+fn on_white((width, height): (u32, u32), (left, top): (u32, u32), inside: &Picture) -> Picture {
+    let mut rgba = vec![255; 4 * (width * height) as usize];
+    let row_of = 4 * inside.width as usize;
+    for (y, row) in (top..).zip(inside.rgba.chunks(row_of)) {
+        let begin = 4 * (y * width + left) as usize;
+        rgba[begin..begin + row_of].copy_from_slice(row);
+    }
+    Picture {
+        width,
+        height,
+        rgba,
+    }
+}
+
+/// A picture whose pixels are each `times` as wide and high.
+fn enlarged(picture: &Picture, times: u32) -> Picture {
+    let (width, height) = (times * picture.width, times * picture.height);
+    let rgba = (0..width * height).flat_map(|at| {
+        let (x, y) = (at % width / times, at / width / times);
+        let at = 4 * (y * picture.width + x) as usize;
+        <[u8; 4]>::try_from(&picture.rgba[at..at + 4]).unwrap()
+    });
+    Picture {
+        width,
+        height,
+        rgba: rgba.collect(),
+    }
+}
+
+#[test]
+fn a_screenshot_of_the_page_is_found_in_that_of_a_screen_and_as_large_as_it_is_shown() {
+    let of_screen = |shot: Picture| on_white((1280, 960), (237, 121), &shot);
+    let by_hand = |shot: Picture| on_white((812, 811), (6, 5), &shot);
+    let on_dense_screen = |shot: Picture| enlarged(&shot, 2);
+    for (what, change) in [
+        ("screen", &of_screen as &dyn Fn(Picture) -> Picture),
+        ("by hand", &by_hand),
+        ("dense", &on_dense_screen),
+    ] {
+        let Some(story) = robot_beside_what_becomes_of("robot_start_camera", change) else {
+            return;
+        };
+        let told = texts(&story);
+        let of_view = |text: &String| text.contains(" of 480000");
+        assert!(told.iter().any(of_view), "{what}: {told:?}");
+        assert!(has_text(&story, "The figure agrees"), "{what}: {told:?}");
+    }
+}
+
+#[test]
+fn a_picture_of_the_pages_view_alone_is_compared_by_its_figure_in_the_look_of_the_page() {
+    let view = |shot: Picture| {
+        let rows = shot.rgba.chunks(4 * 800).skip(1).take(600);
+        let rgba = rows.flat_map(|row| [&row[4..], &row[4 * 799..]].concat());
+        Picture {
+            width: 800,
+            height: 600,
+            rgba: rgba.collect(),
+        }
+    };
+    let Some(mut story) = robot_beside_what_becomes_of("robot_start_camera", view) else {
+        return;
+    };
+    assert_eq!(story.session().view().look, Look::Mannequin);
+    assert!(has_text(
+        &story,
+        "If A is the Virtual Mannequin's page and all"
+    ));
+    story.key(Key::Home);
+    judge(&mut story);
+    assert!(has_text(&story, "The figure agrees"), "{:?}", texts(&story));
+    assert!(has_text(
+        &story,
+        "If A is the Virtual Mannequin's page, the noise"
+    ));
+    let arm = story.character().character.skeleton().joints();
+    let arm = arm
+        .iter()
+        .position(|joint| joint.name == "upper_arm.R")
+        .unwrap();
+    let mut pose = story.character().pose().clone();
+    pose.set_joint_transform(arm, Euler::from_degrees(Vec3::Z * 30.0));
+    let edit = Edit::SetPose(story.shape().id, pose);
+    story
+        .program
+        .carry_out(vec![Action::Edit(edit)], &mut story.host);
+    judge(&mut story);
+    assert!(has_text(&story, "Near upper_arm.R"), "{:?}", texts(&story));
 }
 
 #[test]

@@ -161,14 +161,14 @@ fn r_z_45_and_s_y_half_do_exactly_that() {
 }
 
 #[test]
-fn a_turn_that_is_typed_without_an_axis_has_the_sign_of_the_panel() {
+fn a_turn_that_is_typed_without_an_axis_is_clockwise_in_the_picture_as_in_blender() {
     let mut story = Story::with_cube_in_blender();
     story.keys(&[Key::R, Key::Num3, Key::Num0, Key::Enter]);
     let degrees = story.transform().rotation.degrees();
-    assert!(degrees.abs_diff_eq(Vec3::Z * 30.0, 1e-3), "{degrees}");
+    assert!(degrees.abs_diff_eq(Vec3::Z * -30.0, 1e-3), "{degrees}");
     story.keys(&[Key::R, Key::Num9, Key::Num0, Key::Minus, Key::Enter]);
     let degrees = story.transform().rotation.degrees();
-    assert!(degrees.abs_diff_eq(Vec3::Z * -60.0, 1e-3), "{degrees}");
+    assert!(degrees.abs_diff_eq(Vec3::Z * 60.0, 1e-3), "{degrees}");
 }
 
 #[test]

@@ -11,13 +11,19 @@ pub(super) const AGREES: &str =
 
 pub(super) const DIFFERS: &str = "No single cause explains the differences. But for edges and lines of bones, the figure differs:";
 
-/// What always differs.
-const ALWAYS: &str = "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last \
-                                 bones: these always differ.";
+/// What always differs, of the page and of what may be its view.
+const ALWAYS: [&str; 2] = [
+    "A is the Virtual Mannequin's page, which has noise in its floor and longer lines for the last bones: these always differ.",
+    "If A is the Virtual Mannequin's page, the noise in its floor and its longer lines for the last bones always differ.",
+];
 
 /// What to do where nothing is in its place.
-const ELSEWHERE: &str = "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where the page's \
-                         was: Home twice leads to where it starts.";
+const ELSEWHERE: [&str; 2] = [
+    "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where the page's was: Home leads to \
+     where it starts.",
+    "If A is the Virtual Mannequin's page and all of the figure differs, turn B's camera to where the page's was: Home leads to \
+     where the camera started here, and once more to where the page's does.",
+];
 
 /// Why a screenshot cannot be compared.
 pub(super) const SLANTED: &str = "The horizon of A is slanted, for the page's camera rolls when it is dragged. B's keeps level, so that \
@@ -33,6 +39,8 @@ pub(super) struct FigureTold {
     pub places: Vec<FigurePlace>,
     /// Whether the camera may be elsewhere, so that the hint comes before all that follows from it.
     pub is_elsewhere: bool,
+    /// Whether it is sure that the other picture is of the page.
+    is_sure: bool,
 }
 
 /// A place in which a figure differs.
@@ -43,10 +51,12 @@ pub(super) struct FigurePlace {
 
 impl FigureTold {
     pub(super) fn new(session: &Session, compare: &CompareView, figure: &PageFigure) -> Self {
+        let is_sure = compare.is_cut;
         let Some(off) = &figure.off else {
             return Self {
                 places: Vec::new(),
                 is_elsewhere: false,
+                is_sure,
             };
         };
         let limbs = limbs(session, off, compare.size());
@@ -61,6 +71,7 @@ impl FigureTold {
             return Self {
                 places: vec![FigurePlace { told, area }],
                 is_elsewhere: is_much,
+                is_sure,
             };
         }
         let places = limbs.into_iter().map(|limb| FigurePlace {
@@ -70,11 +81,13 @@ impl FigureTold {
         Self {
             places: places.collect(),
             is_elsewhere: false,
+            is_sure,
         }
     }
 
     /// What to do, or to know.
     pub(super) fn hint(&self) -> &'static str {
-        if self.is_elsewhere { ELSEWHERE } else { ALWAYS }
+        let hints = if self.is_elsewhere { ELSEWHERE } else { ALWAYS };
+        hints[usize::from(!self.is_sure)]
     }
 }
