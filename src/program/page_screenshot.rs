@@ -97,7 +97,7 @@ fn longest_in_strip(row: &[[u8; 4]]) -> Option<Range<usize>> {
     let mut longest = 0..0;
     let mut begin = 0;
     for at in 0..=row.len() {
-        if row.get(at).is_none_or(|pixel| !is_of_strip(&pixel)) {
+        if row.get(at).is_none_or(|pixel| !is_of_strip(pixel)) {
             if at - begin > longest.len() {
                 longest = begin..at;
             }
