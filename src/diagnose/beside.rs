@@ -1,7 +1,7 @@
 //! Mistakes whose numbers come from the mesh, and those in single lines and columns, each beside another mistake.
 
 use super::MUCH_NEARER;
-use super::formula::{AngleUnits, Columns, Formula, LeftOnStack, Parents, Popped, Rows};
+use super::formula::{Columns, Formula, LeftOnStack, Parents, Popped, Rows};
 use super::found_otherwise::{ANGLES_SCALED, ONE_WRONG_OFFSET};
 use super::made_alone::MadeAlone;
 use super::search::{Explanation, Search};
@@ -42,7 +42,7 @@ pub(super) async fn find(
             explanations.extend(small_weights::find(&beside, pace).await);
         }
         // A factor would undo other units.
-        let has_units = by_other.joint.units == AngleUnits::Radians;
+        let has_units = by_other.joint.units == exact.joint.units;
         if has_units && !std::ptr::eq(other.mistake, &raw const ANGLES_SCALED) {
             explanations.extend(whole_program::scaled_angles_beside(&beside, pace).await);
         }

@@ -91,8 +91,8 @@ pub struct JointFormula {
     pub rounded: RoundedAngles,
     /// Factor of the angles about X, Y and Z.
     pub angles: [f64; 3],
-    /// What the angles are converted to.
-    pub units: AngleUnits,
+    /// What the angles about X, Y and Z are converted to.
+    pub units: [AngleUnits; 3],
     /// Whose axes they are about.
     pub about: About,
     /// Axes of the rotations in the order in which they are multiplied: `[0, 1, 2]` is Rx · Ry · Rz.
@@ -349,8 +349,14 @@ impl Formula {
         };
         let has_list = self.joint_order.by != JointsBy::SkinList
             || frames.is_some_and(FileFrames::has_other_numbers);
+        let has_zeros = frames.is_none() || self.weights.kept != Kept::BeforeZero;
         let reaches = self.reached.is_none_or(leaves_out);
-        reaches && has_list && has_parents && (!is_of_file || frames.is_some()) && has_shape
+        reaches
+            && has_zeros
+            && has_list
+            && has_parents
+            && (!is_of_file || frames.is_some())
+            && has_shape
     }
 }
 
@@ -362,7 +368,7 @@ impl Default for Formula {
                 axes: [0, 1, 2],
                 rounded: RoundedAngles::No,
                 angles: [1.0; 3],
-                units: AngleUnits::Radians,
+                units: [AngleUnits::Radians; 3],
                 about: About::Model,
                 order: [0, 1, 2],
                 rotations: Rotations::Exact,

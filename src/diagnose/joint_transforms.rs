@@ -209,15 +209,18 @@ impl<'a> Joints<'a> {
     /// taken for none.
     pub(super) fn moved_by(&self, columns: Columns, index: usize) -> Option<usize> {
         let is_last = index + 1 == self.order.len();
+        let is_first = || self.next_to(index, true, AtEnd::Lost).is_none() && index > 0;
         let moved = match columns {
             Columns::Before(at_end) => self.next_to(index, true, at_end)?,
             Columns::After(at_end) => self.next_to(index, false, at_end)?,
+            Columns::FirstAlone if !is_first() => return None,
             Columns::LastAlone if !is_last => return None,
             Columns::WithoutLast if is_last => return None,
             Columns::Without(joint) if index == joint => return None,
             Columns::Exchanged(a, b) if index == a => b,
             Columns::Exchanged(a, b) if index == b => a,
             Columns::Exact
+            | Columns::FirstAlone
             | Columns::LastAlone
             | Columns::WithoutLast
             | Columns::Without(_)
@@ -419,11 +422,12 @@ impl JointFormula {
         let rounded = radians.map(|angle| self.rounded.angle(angle));
         let used = DVec3::from_array(self.axes.map(|axis| rounded[axis]));
         let angles = used * DVec3::from_array(self.angles);
-        let angles = match self.units {
-            AngleUnits::Radians => angles,
-            AngleUnits::Degrees => angles.map(f64::to_degrees),
-            AngleUnits::ConvertedTwice => angles.map(f64::to_radians),
-        };
+        let in_units = [0, 1, 2].map(|axis| match self.units[axis] {
+            AngleUnits::Radians => angles[axis],
+            AngleUnits::Degrees => angles[axis].to_degrees(),
+            AngleUnits::ConvertedTwice => angles[axis].to_radians(),
+        });
+        let angles = DVec3::from_array(in_units);
         let rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();
         std::iter::repeat_n(self.rotations.of(rotation), self.times).product()
     }

@@ -183,20 +183,44 @@ pub static MISTAKES: &[Mistake] = &[
     euler!("euler-yxz", "Ry · Rx · Rz", [1, 0, 2]),
     euler!("euler-yzx", "Ry · Rz · Rx", [1, 2, 0]),
     euler!("euler-zxy", "Rz · Rx · Ry", [2, 0, 1]),
-    one_way!(
-        "degrees-as-radians",
-        SLIDERS,
-        "angles in degrees are used as if they were radians",
-        "setJointTransform: what the functions that make rotations expect",
-        |formula| formula.joint.units = AngleUnits::Degrees
-    ),
-    one_way!(
-        "radians-as-degrees",
-        SLIDERS,
-        "angles in radians are converted once more, as if they were degrees",
-        "setJointTransform: whether angles are converted twice, there and where they come from",
-        |formula| formula.joint.units = AngleUnits::ConvertedTwice
-    ),
+    Mistake {
+        id: "degrees-as-radians",
+        meaning: "angles in degrees are used as if they were radians",
+        section: SLIDERS,
+        look_at: "setJointTransform: what the functions that make rotations expect",
+        readings: &[
+            reading("", |formula| formula.joint.units = [AngleUnits::Degrees; 3]),
+            reading("about x alone", |formula| {
+                formula.joint.units[0] = AngleUnits::Degrees;
+            }),
+            reading("about y alone", |formula| {
+                formula.joint.units[1] = AngleUnits::Degrees;
+            }),
+            reading("about z alone", |formula| {
+                formula.joint.units[2] = AngleUnits::Degrees;
+            }),
+        ],
+    },
+    Mistake {
+        id: "radians-as-degrees",
+        meaning: "angles in radians are converted once more, as if they were degrees",
+        section: SLIDERS,
+        look_at: "setJointTransform: whether angles are converted twice, there and where they come from",
+        readings: &[
+            reading("", |formula| {
+                formula.joint.units = [AngleUnits::ConvertedTwice; 3]
+            }),
+            reading("about x alone", |formula| {
+                formula.joint.units[0] = AngleUnits::ConvertedTwice;
+            }),
+            reading("about y alone", |formula| {
+                formula.joint.units[1] = AngleUnits::ConvertedTwice;
+            }),
+            reading("about z alone", |formula| {
+                formula.joint.units[2] = AngleUnits::ConvertedTwice;
+            }),
+        ],
+    },
     one_way!(
         "rotation-transposed",
         SLIDERS,

@@ -92,6 +92,15 @@ pub(super) static INFLUENCES_CUT_FEWER: Mistake = Mistake {
             formula.weights.kept = Kept::First(1);
             formula.weights.rescaled = Rescaled::ToOne;
         }),
+        reading(
+            "that of the first joint of all, even if it is 0",
+            |formula| {
+                formula.weights.columns = Columns::FirstAlone;
+            },
+        ),
+        reading("those before the first one that is 0", |formula| {
+            formula.weights.kept = Kept::BeforeZero;
+        }),
         reading("the first two", |formula| {
             formula.weights.kept = Kept::First(2)
         }),

@@ -283,6 +283,14 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
             kept.truncate(most);
         }
         Kept::First(most) => kept.truncate(most),
+        Kept::BeforeZero => {
+            // The first column is that of joint 1.
+            let columns = kept.iter().zip(1..);
+            let before =
+                columns.take_while(|((joint, weight), column)| joint == column && *weight != 0.0);
+            let before = before.count();
+            kept.truncate(before);
+        }
         Kept::From(least) => {
             let least = f64::from(least as f32);
             kept.retain(|(_, weight)| *weight >= least);

@@ -128,6 +128,8 @@ pub enum Columns {
     Before(AtEnd),
     /// The one after it in that list.
     After(AtEnd),
+    /// Its own for the joint that has the first column, and none for all others.
+    FirstAlone,
     /// Its own for the last joint, and none for all others.
     LastAlone,
     /// None for the last joint, and its own for all others.
@@ -163,6 +165,8 @@ pub enum Kept {
     Largest(usize),
     /// So many of those that are not zero, in the order of the joints.
     First(usize),
+    /// Those in the columns before the first one that is zero.
+    BeforeZero,
     /// Those of at least this, in single precision.
     From(f64),
 }

@@ -100,7 +100,7 @@ pub(super) fn show_joint(
     if let Some(movement) = list_move(ui, &label) {
         event = Some(RowEvent::Move(movement));
     }
-    paint_name(ui, &label, (row.joint, name), columns, look);
+    paint_name(ui, &label, name, columns, look);
     if row.folded.is_some() && fold_arrow(ui, id, rect, left, row, name) {
         event = Some(RowEvent::Fold);
     }
@@ -147,13 +147,7 @@ fn paint_background(ui: &Ui, rect: Rect, look: Look, hovered: bool, label: &Resp
     }
 }
 
-fn paint_name(
-    ui: &Ui,
-    label: &Response,
-    (joint, name): (usize, &str),
-    columns: &Columns,
-    look: Look,
-) {
+fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Look) {
     let palette = Palette::of(ui.visuals());
     let color = match (look.selected, look.changed || look.changed_inside) {
         (true, _) => palette.on_selection,
@@ -182,20 +176,16 @@ fn paint_name(
         let center = label.rect.right_center() - vec2(DOT / 2.0, 0.0);
         painter.circle_filled(center, 3.0, palette.accent);
     }
-    let holds = if let Some(inside) = look.inside {
-        Some(format!("{inside} is folded away in it"))
+    if let Some(inside) = look.inside {
+        let holds = format!("{inside} is folded away in it");
+        let label = spoken(label.clone(), &holds);
+        tip_beside_panel(ui, &label, &format!("{name}: {holds}"));
     } else if look.changed_inside {
-        Some("a joint that is folded away in it is not at rest".to_owned())
-    } else {
-        None
-    };
-    let tip = format!("{name}, joint {joint} of the file (from 0)");
-    match holds {
-        Some(holds) => {
-            let label = spoken(label.clone(), &holds);
-            tip_beside_panel(ui, &label, &format!("{tip}: {holds}"));
-        }
-        None => tip_beside_panel(ui, label, &tip),
+        let holds = "a joint that is folded away in it is not at rest";
+        let label = spoken(label.clone(), holds);
+        tip_beside_panel(ui, &label, &format!("{name}: {holds}"));
+    } else if shown != name {
+        tip_beside_panel(ui, label, name);
     }
 }
 

@@ -319,6 +319,7 @@ pub(super) fn press(
     let view = session.view();
     if command == Command::ResetCamera
         && view.look == Look::Mannequin
+        && !state.compares[0]
         && view.camera != *session.start_camera()
     {
         let again = "Home once more leads to where the Virtual Mannequin's page starts";

@@ -297,9 +297,11 @@ fn status(
     }
 }
 
+/// The joint whose row is under the pointer, by name and number, as the file counts from 0.
 fn hovered_joint(session: &Session) -> Option<String> {
     let joint = session.hovered_joint()?;
     let character = session.scene().character(session.selected()?)?;
     let joints = character.character.skeleton().joints();
-    joints.get(joint).map(|joint| joint.name.clone())
+    let name = &joints.get(joint)?.name;
+    Some(format!("{name} ({joint})"))
 }

@@ -53,6 +53,24 @@ fn a_mesh_that_is_held_against_the_character_at_rest_shows_its_pose() {
 }
 
 #[test]
+fn angles_of_another_pose_are_without_the_noise_of_the_fit_as_they_were_typed() {
+    // Of a tenth of a degree, a hundredth, and so on.
+    let typed = Figure::builtin("adult", |joint| turned(6)(joint) * Vec3::new(0.0, 0.1, 1.0));
+    let expected = Figure::builtin("adult", turned(7)).pose();
+    let found = typed.diagnose_in(&expected, &written(&RIGHT.skin(&typed), 6));
+    let other = found.other_pose.expect("a pose");
+    let joints: Vec<usize> = other.joints.iter().map(|joint| joint.joint_index).collect();
+    assert!(joints.len() > 10, "{joints:?}");
+    for joint in other.joints.iter().filter(|joint| !joint.is_ambiguous) {
+        let index = joint.joint_index;
+        let tenths = typed.degrees[index].map(|angle| (angle * 10.0).round() / 10.0);
+        let off = (Vec3::from(joint.degrees) - tenths).abs().max_element();
+        assert!(off < 1e-5, "{}: {off}", joint.joint);
+        assert_eq!(other.pose.rotation(index).radians.x, 0.0, "{}", joint.joint);
+    }
+}
+
+#[test]
 fn of_one_joint_that_is_turned_otherwise_this_one_alone_is_told() {
     for name in ["adult", "dog", "robot"] {
         let figure = Figure::builtin(name, turned(24));

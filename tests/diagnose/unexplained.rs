@@ -280,9 +280,13 @@ fn a_mistake_that_explains_much_but_not_all_is_told_as_the_nearest() {
 
 #[test]
 fn no_mistake_is_the_nearest_to_a_mesh_that_shrinks_to_a_point() {
-    // As of `if (weight == 0) break;` in the loop over the joints.
+    // As of `if (weight == 0) break;` in a loop that goes backwards from the last joint but one.
     let leading = |weights: Weights| {
-        let joints = weights.into_iter().zip(1..);
+        let weights = weights
+            .into_iter()
+            .rev()
+            .skip_while(|(joint, _)| *joint > 16);
+        let joints = weights.zip((1..=16).rev());
         let joints = joints.take_while(|((joint, _), place)| joint == place);
         joints.map(|(weight, _)| weight).collect()
     };

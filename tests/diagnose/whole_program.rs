@@ -1600,3 +1600,51 @@ fn a_t_that_turns_the_other_way_where_joints_are_right_is_named() {
     };
     assert_named(&of(&student, 69), "current-rotation-transposed", "");
 }
+
+#[test]
+fn one_angle_that_stays_in_degrees_or_is_converted_twice_is_named_by_its_axis() {
+    const ONCE_MORE: f32 = std::f32::consts::PI / 180.0;
+    let sliders: [(&str, &str, fn(Vec3) -> Vec3); 4] = [
+        ("degrees-as-radians", "about x alone", |it| {
+            it / Vec3::new(ONCE_MORE, 1.0, 1.0)
+        }),
+        ("degrees-as-radians", "about z alone", |it| {
+            it / Vec3::new(1.0, 1.0, ONCE_MORE)
+        }),
+        ("radians-as-degrees", "about y alone", |it| {
+            it * Vec3::new(1.0, ONCE_MORE, 1.0)
+        }),
+        ("radians-as-degrees", "about z alone", |it| {
+            it * Vec3::new(1.0, 1.0, ONCE_MORE)
+        }),
+    ];
+    for (id, how, slider) in sliders {
+        let student = Student { slider, ..RIGHT };
+        let found = of(&student, 71);
+        assert_eq!(found.together(), [id], "{found}");
+        assert_eq!(found.mistakes[0].how, how, "{found}");
+    }
+}
+
+#[test]
+fn a_loop_over_the_joints_that_ends_early_is_named() {
+    let after_one = Student {
+        row: |row| row.iter().take(1).copied().collect(),
+        ..RIGHT
+    };
+    let at_zero = Student {
+        row: |row| {
+            row.iter()
+                .copied()
+                .take_while(|weight| *weight != 0.0)
+                .collect()
+        },
+        ..RIGHT
+    };
+    for (student, how) in [
+        (after_one, "that of the first joint of all, even if it is 0"),
+        (at_zero, "those before the first one that is 0"),
+    ] {
+        assert_named(&of(&student, 71), "influences-cut-fewer", how);
+    }
+}

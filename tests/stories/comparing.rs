@@ -787,6 +787,8 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     }
     story.key(Key::Home);
     assert_eq!(story.session().view().camera, page);
+    let is_once_more = |(_, text): &(_, &str)| text.starts_with("Home once more");
+    assert!(!story.messages().iter().any(is_once_more), "it is there");
     judge(&mut story);
     assert!(has_text(&story, "The figure agrees"));
     let id = story.session().scene().shapes()[0].id;

@@ -9,7 +9,7 @@ use super::diagnosis::ToldMistake;
 use super::diagnosis_words::{of_size, vector};
 use super::model::Model;
 use super::skin::Skinner;
-use super::{Formula, VertexOrder};
+use super::{Formula, VertexOrder, as_good};
 use crate::character::Pose;
 use crate::math::Euler;
 use crate::steps::Pace;
@@ -25,8 +25,10 @@ use std::ops::RangeInclusive;
 const TOLD_APART: f64 = 0.1;
 /// The same where none of a pose is, of angles that were rounded.
 const TOLD_APART_OF_SMALL: f64 = 0.01;
-/// Parts of a degree that a mesh tells.
+/// Parts of a degree that a mesh tells, …
 const DEGREES_TOLD: f64 = 1e3;
+/// … and fewer, of which angles are multiples where that is as good.
+const FEWER_TOLD: [f64; 2] = [1e1, 1e2];
 /// Digits after the point with which angles are told: more than the fewest only where it takes them to tell two apart.
 const DIGITS: RangeInclusive<i32> = 1..=3;
 /// Angle up to which a joint is as good as turned as expected, such as by angles that are cut to whole degrees, in
@@ -189,9 +191,10 @@ pub(super) async fn find(
     let chosen = fewer.filter(|posed| joints_of(posed) < found.1.len());
     let chosen = chosen.unwrap_or(all);
     let plain = plainest(&search.shared, &chosen, &fit.expected());
-    let (pose, joints, error) = [plain, chosen]
+    let found = [plain, chosen]
         .iter()
         .find_map(|posed| search.found(posed))?;
+    let (pose, joints, error) = search.in_fewer_parts(found, size);
     Some(OtherPose {
         pose,
         as_expected: share_of_expected(model, expected, &joints),
@@ -230,6 +233,31 @@ impl Search<'_> {
         Some((pose, joints, error))
     }
 
+    /// What was found, by angles that are multiples of a larger part of a degree where that is as good: those of a pose that
+    /// somebody typed are, and what the fit adds to 0 or to 20 is noise.
+    fn in_fewer_parts(
+        &self,
+        (pose, joints, error): (Pose, Vec<TurnedJoint>, f64),
+        size: f64,
+    ) -> (Pose, Vec<TurnedJoint>, f64) {
+        let enough = as_good(error, size).min(self.tolerance);
+        let with = |parts: f64| {
+            let (mut pose, mut joints) = (pose.clone(), joints.clone());
+            for joint in &mut joints {
+                let index = joint.joint_index;
+                let rotation = without_noise(pose.rotation(index), parts);
+                pose.set_joint_transform(index, rotation);
+                joint.degrees = rotation.degrees().to_array();
+            }
+            let error = largest_error(self.model, &pose, self.order, self.theirs);
+            (error <= enough).then_some((pose, joints, error))
+        };
+        FEWER_TOLD
+            .into_iter()
+            .find_map(with)
+            .unwrap_or((pose, joints, error))
+    }
+
     /// The joints that are turned by more than so many `degrees` otherwise than expected, or moved, with the pose in which
     /// these alone are, and the one that `posed` is.
     fn turned_by_more_than(&self, degrees: f64, posed: &Posed) -> ([Pose; 2], Vec<TurnedJoint>) {
@@ -256,7 +284,7 @@ impl Search<'_> {
             whole.set_joint_transform(joint, after);
             whole.set_root_offset(joint, offsets[joint].as_vec3());
             if is_turned {
-                plain.set_joint_transform(joint, without_noise(after));
+                plain.set_joint_transform(joint, without_noise(after, DEGREES_TOLD));
             }
             if is_moved {
                 plain.set_root_offset(joint, offsets[joint].as_vec3());
@@ -304,10 +332,10 @@ fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> 
     if all == 0.0 { 1.0 } else { counted / all }
 }
 
-/// Angles without the digits that a mesh in single precision does not tell.
-fn without_noise(rotation: Euler) -> Euler {
+/// Angles in so many parts of a degree.
+fn without_noise(rotation: Euler, parts: f64) -> Euler {
     let degrees = rotation.degrees().to_array().map(f64::from);
-    let rounded = degrees.map(|angle| (angle * DEGREES_TOLD).round() / DEGREES_TOLD);
+    let rounded = degrees.map(|angle| (angle * parts).round() / parts + 0.0);
     Euler::from_degrees(Vec3::from(rounded.map(|angle| angle as f32)))
 }
 

@@ -197,8 +197,8 @@ fn rotations(own: &JointFormula) -> Vec<Part> {
     let turn = |(place, axis): (usize, usize)| {
         let is_turned = own.angles[axis] < 0.0;
         let is_left_out = own.angles[axis] == 0.0 || !own.has_pose;
-        let is_converted = own.units == AngleUnits::Radians;
-        let letters = match (own.units, is_turned) {
+        let is_converted = own.units[axis] == AngleUnits::Radians;
+        let letters = match (own.units[axis], is_turned) {
             (AngleUnits::Degrees, _) => ["Rx(degrees)", "Ry(degrees)", "Rz(degrees)"],
             (AngleUnits::ConvertedTwice, _) => ["Rx(π/180 x)", "Ry(π/180 y)", "Rz(π/180 z)"],
             (AngleUnits::Radians, true) => ["Rx(-x)", "Ry(-y)", "Rz(-z)"],
