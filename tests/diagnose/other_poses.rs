@@ -57,7 +57,7 @@ fn angles_of_another_pose_are_without_the_noise_of_the_fit_as_they_were_typed() 
     // Of a tenth of a degree, a hundredth, and so on.
     let typed = Figure::builtin("adult", |joint| turned(6)(joint) * Vec3::new(0.0, 0.1, 1.0));
     let expected = Figure::builtin("adult", turned(7)).pose();
-    let found = typed.diagnose_in(&expected, &written(&RIGHT.skin(&typed), 6));
+    let found = typed.diagnose_in(&expected, &written(&RIGHT.skin(&typed), 4));
     let other = found.other_pose.expect("a pose");
     let joints: Vec<usize> = other.joints.iter().map(|joint| joint.joint_index).collect();
     assert!(joints.len() > 10, "{joints:?}");

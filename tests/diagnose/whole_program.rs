@@ -1604,7 +1604,8 @@ fn a_t_that_turns_the_other_way_where_joints_are_right_is_named() {
 #[test]
 fn one_angle_that_stays_in_degrees_or_is_converted_twice_is_named_by_its_axis() {
     const ONCE_MORE: f32 = std::f32::consts::PI / 180.0;
-    let sliders: [(&str, &str, fn(Vec3) -> Vec3); 4] = [
+    type Slider = fn(Vec3) -> Vec3;
+    let sliders: [(&str, &str, Slider); 4] = [
         ("degrees-as-radians", "about x alone", |it| {
             it / Vec3::new(ONCE_MORE, 1.0, 1.0)
         }),
