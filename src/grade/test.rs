@@ -16,7 +16,7 @@ use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
     RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, markup,
-    read_posed_vertices,
+    read_posed_vertices, without_v,
 };
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -386,17 +386,6 @@ impl Write for Digest {
 
 /// That a file has no vertices, and whether it has what may be meant for them.
 fn no_vertices(text: &str) -> String {
-    let has_three = |line: &&str| {
-        let words = line.split(|c: char| c.is_whitespace() || c == ',');
-        let words = words.filter(|word| !word.is_empty() && *word != "V");
-        let numbers = words.take_while(|word| word.parse::<f64>().is_ok());
-        numbers.take(3).count() == 3
-    };
-    let lines = text.lines().filter(has_three).count();
-    let begins = match lines {
-        0 => return "the file has no vertices".to_owned(),
-        1 => "1 line with three numbers begins".to_owned(),
-        lines => format!("{lines} lines with three numbers begin"),
-    };
-    format!("the file has no vertices: {begins} without the v of v x y z")
+    let meant = without_v(text).map_or(String::new(), |meant| format!(": {meant}"));
+    format!("the file has no vertices{meant}")
 }

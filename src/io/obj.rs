@@ -233,6 +233,11 @@ mod tests {
                 "a.obj:1:1: expected vertices (lines `v x y z`), found none",
             ),
             (
+                "0 0 0\n0 1 0",
+                "a.obj:2:6: expected vertices (lines `v x y z`), found none: 2 lines with three numbers begin without \
+                 the v of v x y z",
+            ),
+            (
                 "v 0 0 0\n",
                 "a.obj:1:8: expected faces (lines `f a b c`), found none",
             ),

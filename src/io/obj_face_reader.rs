@@ -228,11 +228,15 @@ impl FaceReader {
             return Err(scanner.error(scanner.end(), message));
         }
         if let Some(nothing) = nothing {
-            let cut = match scanner.is_at_open_end() {
-                true => format!(" before the end of the file: {CUT_OFF}"),
-                false => String::new(),
+            let meant = (self.counts[0] == 0).then(|| without_v(scanner.text()));
+            let why = match meant.flatten() {
+                Some(meant) => format!(": {meant}"),
+                None if scanner.is_at_open_end() => {
+                    format!(" before the end of the file: {CUT_OFF}")
+                }
+                None => String::new(),
             };
-            let message = format!("expected {nothing}, found none{cut}");
+            let message = format!("expected {nothing}, found none{why}");
             return Err(scanner.error(scanner.end(), message));
         }
         if let Some(first) = self.first_zero {
@@ -267,4 +271,20 @@ impl FaceReader {
         }
         scanner.error(missing.at, message)
     }
+}
+
+/// How many lines of a file without vertices may be meant for some, in words; `None` if none may be.
+pub fn without_v(text: &str) -> Option<String> {
+    let has_three = |line: &&str| {
+        let words = line.split(|c: char| c.is_whitespace() || c == ',');
+        let words = words.filter(|word| !word.is_empty() && *word != "V");
+        let numbers = words.take_while(|word| word.parse::<f64>().is_ok());
+        numbers.take(3).count() == 3
+    };
+    let begin = match text.lines().filter(has_three).count() {
+        0 => return None,
+        1 => "1 line with three numbers begins".to_owned(),
+        lines => format!("{lines} lines with three numbers begin"),
+    };
+    Some(format!("{begin} without the v of v x y z"))
 }
