@@ -80,8 +80,9 @@ fn a_bone_is_selected_by_a_tap_near_it() {
     browser.touch(&[[(700, 650), (700, 650)]]);
     let before = browser.picture();
     browser.touch(&[[(255, 160), (255, 160)]]);
-    let after = browser.picture();
-    assert!(difference(&before, &after, (150, 60, 480, 640)) > 0.005);
+    browser.wait("the bone is selected", || {
+        difference(&before, &browser.picture(), (150, 60, 480, 640)) > 0.005
+    });
     browser.finish();
 }
 
