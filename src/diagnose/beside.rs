@@ -21,7 +21,6 @@ pub(super) async fn find(
     pace: &Pace,
 ) -> Vec<Explanation> {
     let exact = Formula::default();
-    let mean = search.mean(&exact);
     let error = search.error_of_sample(&exact).unwrap_or(f64::INFINITY);
     let mut found = Vec::new();
     for other in ways().chain(ways_of_whole_program()) {
@@ -49,7 +48,9 @@ pub(super) async fn find(
         if has_tree_of_file(&by_other) {
             explanations.extend(one_joint::find(&beside, size, pace).await);
         }
-        if search.mean(&by_other) > ACCOUNTS_FOR_MORE * mean {
+        let accounts_for_more =
+            || search.mean(&by_other) <= ACCOUNTS_FOR_MORE * search.mean(&exact);
+        if !explanations.is_empty() && !accounts_for_more() {
             explanations.iter_mut().for_each(|both| both.made.reverse());
         }
         found.extend(explanations);

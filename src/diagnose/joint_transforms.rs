@@ -1,9 +1,10 @@
 //! The transforms of joints by any formula, in double precision.
 
 use super::formula::{
-    About, AngleUnits, AtEnd, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
+    About, AngleUnits, Chain, Columns, Factor, Formula, JointFormula, JointsBy, LeftOnStack,
     Parents, Popped, Shaped, Unfilled,
 };
+use super::joint_list::JointList;
 use super::model::Model;
 use crate::character::{FileFrames, Pose};
 use glam::{DAffine3, DMat3, DMat4, DVec3};
@@ -15,8 +16,8 @@ pub(super) struct Joints<'a> {
     current: Vec<DAffine3>,
     /// B.
     bind: Vec<DAffine3>,
-    /// Joint that each index of a program means.
-    order: Vec<usize>,
+    /// Which joint each index of a program means.
+    list: JointList<'a>,
     /// Frames of the character's file.
     frames: Option<&'a FileFrames>,
 }
@@ -33,7 +34,8 @@ impl<'a> Joints<'a> {
         pose: &Pose,
         formula: &Formula,
     ) -> Self {
-        let order = model.joints_by(formula.joint_order.by);
+        let list = JointList::new(model, formula);
+        let order = list.order();
         // Which joint's angles of the pose each joint is given.
         let mut angles_of: Vec<usize> = (0..order.len()).collect();
         if formula.joint_order.has_angles {
@@ -154,7 +156,7 @@ impl<'a> Joints<'a> {
         Self {
             current,
             bind,
-            order,
+            list,
             frames,
         }
     }
@@ -208,63 +210,7 @@ impl<'a> Joints<'a> {
     /// The joint that a weight moves a vertex with whose index in the file is `index`; `None` if it is
     /// taken for none.
     pub(super) fn moved_by(&self, columns: Columns, index: usize) -> Option<usize> {
-        let is_last = index + 1 == self.order.len();
-        let is_first = || self.next_to(index, true, AtEnd::Lost).is_none() && index > 0;
-        let moved = match columns {
-            Columns::Before(at_end) => self.next_to(index, true, at_end)?,
-            Columns::After(at_end) => self.next_to(index, false, at_end)?,
-            Columns::FirstAlone if !is_first() => return None,
-            Columns::LastAlone if !is_last => return None,
-            Columns::WithoutLast if is_last => return None,
-            Columns::Without(joint) if index == joint => return None,
-            Columns::Exchanged(a, b) if index == a => b,
-            Columns::Exchanged(a, b) if index == b => a,
-            Columns::Exact
-            | Columns::FirstAlone
-            | Columns::LastAlone
-            | Columns::WithoutLast
-            | Columns::Without(_)
-            | Columns::Exchanged(..) => index,
-        };
-        self.order.get(moved).copied()
-    }
-
-    /// The same for each index.
-    pub(super) fn all_moved_by(&self, columns: Columns) -> Vec<Option<usize>> {
-        (0..self.order.len())
-            .map(|index| self.moved_by(columns, index))
-            .collect()
-    }
-
-    /// The joint next to that at `index` in the list that numbers count in: the one before it if `is_before`.
-    fn next_to(&self, index: usize, is_before: bool, at_end: AtEnd) -> Option<usize> {
-        let list = self.frames.map_or(&[][..], |frames| &frames.skin_joints);
-        let in_list = list.iter().position(|&joint| joint == index);
-        let (place, count) = in_list.map_or((index, self.order.len()), |place| (place, list.len()));
-        // The root, which comes first, has no column in an .attach file.
-        let is_by_columns = matches!(at_end, AtEnd::Lost | AtEnd::OtherColumn);
-        let first = usize::from(in_list.is_none() && is_by_columns);
-        let next = match is_before {
-            true => place.checked_sub(1).filter(|next| *next >= first),
-            false => Some(place + 1).filter(|next| *next < count),
-        };
-        let joint_at = |place: usize| {
-            if in_list.is_some() {
-                list[place]
-            } else {
-                place
-            }
-        };
-        let unlisted = |joint: &usize| !list.contains(joint);
-        match (next, at_end) {
-            (Some(next), _) => Some(joint_at(next)),
-            (None, AtEnd::OfAll) if is_before => index.checked_sub(1).filter(unlisted),
-            (None, AtEnd::OfAll) => Some(index + 1).filter(unlisted),
-            (None, AtEnd::Lost) => None,
-            (None, AtEnd::Same) => Some(index),
-            (None, AtEnd::OtherEnd | AtEnd::OtherColumn) if is_before => Some(joint_at(count - 1)),
-            (None, AtEnd::OtherEnd | AtEnd::OtherColumn) => Some(joint_at(first.min(count - 1))),
-        }
+        self.list.joint(columns, index)
     }
 
     /// What moves vertices, by the index that a weight has, after what the first joint of a vertex does to all of it.
@@ -290,7 +236,7 @@ impl<'a> Joints<'a> {
 
     /// The product of `factors`, which come to what `begin` leaves, by the index that a weight has.
     fn products(&self, formula: &Formula, factors: &[Factor], begin: DMat4) -> Vec<Option<DMat4>> {
-        let by_index = (0..self.order.len()).map(|index| {
+        let by_index = (0..self.list.order().len()).map(|index| {
             let joint = self.moved_by(formula.weights.columns, index)?;
             let factors = factors.iter();
             Some(factors.fold(begin, |product, &factor| {

@@ -3,6 +3,7 @@
 
 use super::formula::{Columns, Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
+use super::joint_list::JointList;
 use super::mistake::Mistake;
 use super::search::{Explanation, Search};
 use super::skin::{Placed, Skinner};
@@ -60,8 +61,8 @@ pub(super) struct MadeAlone<'a> {
     pub(super) at_sample: Vec<Placed>,
     /// Vertices of the sample that are off from there.
     pub(super) off: Vec<usize>,
-    /// The joint that each index of a weight means.
-    joints: Vec<Option<usize>>,
+    /// Which joint each index of a weight means.
+    joints: JointList<'a>,
 }
 
 impl<'a> MadeAlone<'a> {
@@ -91,7 +92,7 @@ impl<'a> MadeAlone<'a> {
             other,
             at_sample: sample.map(|&vertex| skinner.place(vertex)).collect(),
             off,
-            joints: skinner.joints().to_vec(),
+            joints: JointList::new(search.model, &formula),
             formula,
         }
     }
@@ -154,7 +155,8 @@ impl<'a> MadeAlone<'a> {
     /// Joints that move `vertex`.
     pub(super) fn moving(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
         let influences = self.influences(vertex).iter();
-        influences.filter_map(|one| self.joints[one.joint as usize])
+        let columns = self.formula.weights.columns;
+        influences.filter_map(move |one| self.joints.joint(columns, one.joint as usize))
     }
 
     /// Weights of `vertex`.

@@ -37,6 +37,29 @@ macro_rules! euler {
     };
 }
 
+macro_rules! in_other_units {
+    ($id:literal, $units:ident, $meaning:literal, $look_at:literal) => {
+        Mistake {
+            id: $id,
+            meaning: $meaning,
+            section: SLIDERS,
+            look_at: $look_at,
+            readings: &[
+                reading("", |formula| formula.joint.units = [AngleUnits::$units; 3]),
+                reading("about x alone", |formula| {
+                    formula.joint.units[0] = AngleUnits::$units
+                }),
+                reading("about y alone", |formula| {
+                    formula.joint.units[1] = AngleUnits::$units
+                }),
+                reading("about z alone", |formula| {
+                    formula.joint.units[2] = AngleUnits::$units
+                }),
+            ],
+        }
+    };
+}
+
 macro_rules! axis_ignored {
     ($id:literal, $axis:literal, $index:literal) => {
         one_way!(
@@ -183,44 +206,18 @@ pub static MISTAKES: &[Mistake] = &[
     euler!("euler-yxz", "Ry · Rx · Rz", [1, 0, 2]),
     euler!("euler-yzx", "Ry · Rz · Rx", [1, 2, 0]),
     euler!("euler-zxy", "Rz · Rx · Ry", [2, 0, 1]),
-    Mistake {
-        id: "degrees-as-radians",
-        meaning: "angles in degrees are used as if they were radians",
-        section: SLIDERS,
-        look_at: "setJointTransform: what the functions that make rotations expect",
-        readings: &[
-            reading("", |formula| formula.joint.units = [AngleUnits::Degrees; 3]),
-            reading("about x alone", |formula| {
-                formula.joint.units[0] = AngleUnits::Degrees;
-            }),
-            reading("about y alone", |formula| {
-                formula.joint.units[1] = AngleUnits::Degrees;
-            }),
-            reading("about z alone", |formula| {
-                formula.joint.units[2] = AngleUnits::Degrees;
-            }),
-        ],
-    },
-    Mistake {
-        id: "radians-as-degrees",
-        meaning: "angles in radians are converted once more, as if they were degrees",
-        section: SLIDERS,
-        look_at: "setJointTransform: whether angles are converted twice, there and where they come from",
-        readings: &[
-            reading("", |formula| {
-                formula.joint.units = [AngleUnits::ConvertedTwice; 3]
-            }),
-            reading("about x alone", |formula| {
-                formula.joint.units[0] = AngleUnits::ConvertedTwice;
-            }),
-            reading("about y alone", |formula| {
-                formula.joint.units[1] = AngleUnits::ConvertedTwice;
-            }),
-            reading("about z alone", |formula| {
-                formula.joint.units[2] = AngleUnits::ConvertedTwice;
-            }),
-        ],
-    },
+    in_other_units!(
+        "degrees-as-radians",
+        Degrees,
+        "angles in degrees are used as if they were radians",
+        "setJointTransform: what the functions that make rotations expect"
+    ),
+    in_other_units!(
+        "radians-as-degrees",
+        ConvertedTwice,
+        "angles in radians are converted once more, as if they were degrees",
+        "setJointTransform: whether angles are converted twice, there and where they come from"
+    ),
     one_way!(
         "rotation-transposed",
         SLIDERS,

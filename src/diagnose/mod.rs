@@ -13,6 +13,7 @@ mod findings;
 mod formula;
 mod found_otherwise;
 mod job;
+mod joint_list;
 mod joint_transforms;
 mod made_alone;
 mod mannequin_words;

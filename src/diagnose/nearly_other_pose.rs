@@ -2,7 +2,7 @@
 
 use super::diagnosis::ToldMistake;
 use super::findings::Findings;
-use super::formula::Formula;
+use super::formula::{Formula, VertexOrder};
 use super::other_pose::{self, OtherPose};
 use super::search::Search;
 use super::skin::Skinner;
@@ -40,10 +40,13 @@ pub(super) async fn find(
     let left = LEFT * in_pose.mean(&exact);
     for made in ways() {
         let mut by = formula(&[made]);
-        if by.vertex_order != exact.vertex_order || in_pose.mean(&by) > left {
+        if by.vertex_order != VertexOrder::File {
             continue;
         }
         by.vertex_order = order;
+        if in_pose.mean(&by) > left {
+            continue;
+        }
         // Without what the mistake moves, which hardly depends on the last digits of the angles.
         let theirs = without_moves(search, &near.pose, [&exact, &by]);
         if let Some(other) = posed(&theirs, findings.tolerance).await {

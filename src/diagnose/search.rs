@@ -238,9 +238,12 @@ impl<'a> Search<'a> {
 
     /// How far vertices of the sample are from those that a formula gives, at most; `None` if it cannot give the mesh.
     pub(super) fn error_of_sample(&self, formula: &Formula) -> Option<f64> {
+        self.error_among(self.sample.iter().copied(), formula)
+    }
+
+    fn error_among(&self, vertices: impl Iterator<Item = usize>, formula: &Formula) -> Option<f64> {
         let mut skinner = self.skinner(formula)?;
-        let sample = self.sample.iter();
-        let distances = sample.map(|&vertex| self.distance(&mut skinner, vertex));
+        let distances = vertices.map(|index| self.distance(&mut skinner, index));
         Some(distances.fold(0.0, f64::max))
     }
 
@@ -254,11 +257,8 @@ impl<'a> Search<'a> {
 
     /// How far the mesh is from the one with a mistake alone, at most; infinite if that cannot give it.
     fn error_of(&self, made: Made) -> f64 {
-        let Some(mut skinner) = self.skinner(&formula(&[made])) else {
-            return f64::INFINITY;
-        };
-        let all = (0..self.theirs.len()).map(|index| self.distance(&mut skinner, index));
-        all.fold(0.0, f64::max)
+        let error = self.error_among(0..self.theirs.len(), &formula(&[made]));
+        error.unwrap_or(f64::INFINITY)
     }
 
     /// The vertices of the sample after those that are the farthest apart, of which a small mesh has fewer.

@@ -12,9 +12,7 @@ use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 pub(super) struct Skinner<'a> {
     model: &'a Model<'a>,
     formula: Formula,
-    /// The joint that each index of a weight means; `None` for an index without one.
-    joints: Vec<Option<usize>>,
-    /// What moves vertices, by that index.
+    /// What moves vertices, by the index that a weight has; `None` for an index without a joint.
     palette: Vec<Option<DMat4>>,
     /// What the joint of the first weight does to a vertex before all of them, if that is so.
     of_first: Option<Vec<Option<DMat4>>>,
@@ -118,7 +116,6 @@ impl<'a> Skinner<'a> {
         let joints = Joints::after(model, before, pose, formula);
         Self {
             model,
-            joints: joints.all_moved_by(formula.weights.columns),
             palette: joints.palette(formula),
             of_first: joints.of_first(formula),
             formula: formula.clone(),
@@ -129,11 +126,6 @@ impl<'a> Skinner<'a> {
     /// Number of vertices that it writes.
     pub(super) fn count(&self) -> usize {
         self.model.count(self.formula.vertex_order)
-    }
-
-    /// The joint that each index of a weight means; `None` for an index without one.
-    pub(super) fn joints(&self) -> &[Option<usize>] {
-        &self.joints
     }
 
     /// What turns and stretches the surface at the vertex at `index` of those that it writes: the

@@ -105,9 +105,8 @@ async fn scaled_angles(fits: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
     if angles(fits).count() < 2 {
         return made_by(&ANGLES_SCALED, fits, |_| true, pace).await;
     }
-    let sample: Vec<usize> = (0..fits.search.sample.len()).collect();
     for begin in FACTORS {
-        let Some(factor) = fitted_factor(fits, begin, &sample, pace).await else {
+        let Some(factor) = fitted_factor(fits, begin, &fits.search.sample, pace).await else {
             continue;
         };
         if let Some(given) = given_by_factor(fits, factor, pace).await {
@@ -123,8 +122,9 @@ pub(super) async fn scaled_angles_beside(fits: &MadeAlone<'_>, pace: &Pace) -> O
     if angles(fits).count() < FEWEST_ANGLES {
         return None;
     }
-    let count = fits.search.sample.len();
-    let few: Vec<usize> = (0..count).step_by(count.div_ceil(FEW).max(1)).collect();
+    let sample = &fits.search.sample;
+    let few = sample.iter().step_by(sample.len().div_ceil(FEW).max(1));
+    let few: Vec<usize> = few.copied().collect();
     for begin in FACTORS {
         // One that turns joints the other way would undo a sign.
         let factor = fitted_factor(fits, begin, &few, pace).await;
@@ -158,28 +158,27 @@ fn scaled_by(fits: &MadeAlone<'_>, factor: f64) -> Formula {
     formula
 }
 
-/// The factor of all angles with which vertices come nearest, those at these places of the sample, sought from `begin` on;
-/// `None` if they tell none.
+/// The factor of all angles with which these vertices come nearest, sought from `begin` on; `None` if they tell none.
 async fn fitted_factor(
     fits: &MadeAlone<'_>,
     begin: f64,
-    places: &[usize],
+    vertices: &[usize],
     pace: &Pace,
 ) -> Option<f64> {
     let search = fits.search;
-    let vertices = || places.iter().map(|&place| search.sample[place]);
     let placed = |factor: f64| {
         let mut skinner = Skinner::new(search.model, search.pose, &scaled_by(fits, factor));
-        let placed: Vec<DVec3> = vertices().map(|vertex| skinner.place(vertex).at).collect();
+        let placed = vertices.iter().map(|&vertex| skinner.place(vertex).at);
+        let placed: Vec<DVec3> = placed.collect();
         placed
     };
     let mut factor = begin;
     for _ in 0..STEPS {
         let at = placed(factor);
         let further = placed(factor + A_LITTLE);
-        pace.after(2 * places.len()).await;
+        pace.after(2 * vertices.len()).await;
         let (mut along, mut square) = (0.0, 0.0);
-        for ((at, further), vertex) in at.iter().zip(further).zip(vertices()) {
+        for ((at, further), &vertex) in at.iter().zip(further).zip(vertices) {
             let by = (further - *at) / A_LITTLE;
             along += by.dot(search.theirs[vertex] - *at);
             square += by.length_squared();

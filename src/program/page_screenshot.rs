@@ -3,7 +3,6 @@
 use super::page_figure::is_of_sky;
 use crate::compare::Area;
 use crate::geometry::Picture;
-use crate::ui::mannequin_panels;
 use image::RgbaImage;
 use image::imageops::thumbnail;
 use std::ops::{Range, RangeInclusive};
@@ -19,19 +18,10 @@ const LEAST: f64 = 0.1;
 /// The strip's color, which browsers draw a little differently.
 const COLOR: RangeInclusive<u8> = 24..=28;
 
-/// Color of the frame around the page's window, of which a screenshot has the upper and the left line.
-const FRAME: RangeInclusive<u8> = 165..=175;
-
 /// Width and height of the page's view, in its pixels.
 const VIEW: [u32; 2] = [800, 600];
 /// How many pixels of a picture are one of the page, across, in screenshots of dense screens and of a page that is made larger.
 const SCALES: [f64; 9] = [1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0];
-
-/// The part of a screenshot of the page that shows its view, in the page's pixels, whatever of a browser and of the screen is
-/// around the page; `None` for another picture.
-pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
-    view_of_whole(picture).or_else(|| view_within(picture))
-}
 
 /// Whether a picture has the sky of the page along its upper edge: it may be a screenshot of the page's view alone.
 pub(super) fn has_sky_of_page(picture: &Picture) -> bool {
@@ -43,9 +33,10 @@ pub(super) fn has_sky_of_page(picture: &Picture) -> bool {
     !rows.is_empty() && of_sky.count() as f64 >= MOST * rows.len() as f64
 }
 
-/// The view of a page that is only a part of the picture, or that is shown larger. Its strip of keyframes is where
-/// a long row of its color begins below rows without.
-fn view_within(picture: &Picture) -> Option<Picture> {
+/// The part of a screenshot of the page that shows its view, in the page's pixels, whatever of a browser and of the screen is
+/// around the page; `None` for another picture. The strip of keyframes is where a row of its color as long as the page is wide
+/// begins below rows without.
+pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
     let width = picture.width as usize;
     let (pixels, _) = picture.rgba.as_chunks::<4>();
     let rows: Vec<&[[u8; 4]]> = pixels.chunks_exact(width.max(1)).collect();
@@ -120,93 +111,97 @@ fn is_of_strip([red, green, blue, _]: &[u8; 4]) -> bool {
     red == green && green == blue && COLOR.contains(red)
 }
 
-/// The view of a page that is all of the picture.
-fn view_of_whole(picture: &Picture) -> Option<Picture> {
-    let width = picture.width as usize;
-    let [strip] = mannequin_panels((picture.width, picture.height));
-    let of_view = Some(strip.y as usize).filter(|&rows| rows > 0)?;
-    let (pixels, _) = picture.rgba.as_chunks::<4>();
-    let share = |rows: Range<usize>| {
-        let pixels = pixels.get(rows.start * width..rows.end * width)?;
-        let of_strip = pixels.iter().filter(|pixel| is_of_strip(pixel)).count();
-        Some(of_strip as f64 / pixels.len().max(1) as f64)
-    };
-    let in_strip = share(of_view + EMPTY_ROWS.start..of_view + EMPTY_ROWS.end)?;
-    let in_view = share(of_view.saturating_sub(LAST_ROWS)..of_view)?;
-    if in_strip < MOST || in_view > LEAST {
-        return None;
-    }
-    let shift = usize::from(is_framed(pixels, width, of_view));
-    let rgba = (0..of_view).flat_map(|y| {
-        let row = &pixels[(y + shift) * width..(y + shift + 1) * width];
-        // What is beyond the last column is like it.
-        (0..width).flat_map(move |x| row[(x + shift).min(width - 1)])
-    });
-    Some(Picture {
-        width: picture.width,
-        height: of_view as u32,
-        rgba: rgba.collect(),
-    })
-}
-
-/// Whether the first column and row are those of the frame around the page's window, so that its view begins beside them.
-fn is_framed(pixels: &[[u8; 4]], width: usize, height: usize) -> bool {
-    let is_frame =
-        |[red, green, blue, _]: &&[u8; 4]| red == green && green == blue && FRAME.contains(red);
-    let side = pixels.iter().step_by(width.max(1)).take(height);
-    let framed = pixels[..width].iter().chain(side).filter(is_frame).count();
-    framed as f64 >= MOST * (width + height) as f64
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const STRIP: u32 = 200;
 
-    fn screenshot(height: u32, strip: u8) -> Picture {
+    /// A screenshot of the page whose view is light and whose strip is of this gray.
+    fn screenshot((width, height): (u32, u32), strip: u8) -> Picture {
         let rows = (0..height).flat_map(|row| {
-            let is_of_view = row + STRIP <= height;
+            let is_of_view = row + STRIP < height;
             let gray = if is_of_view { 174 } else { strip };
-            [[gray, gray, gray, 255]; 30].into_iter().flatten()
+            vec![[gray, gray, gray, 255]; width as usize].into_flattened()
         });
         Picture {
-            width: 30,
+            width,
             height,
             rgba: rows.collect(),
         }
     }
 
+    const PAGE: (u32, u32) = (VIEW[0], VIEW[1] + STRIP);
+
+    fn at(x: u32, y: u32) -> usize {
+        4 * (VIEW[0] * y + x) as usize
+    }
+
     #[test]
     fn only_a_screenshot_with_the_strip_of_keyframes_is_cut() {
         for gray in [25, 26] {
-            let view = view_of_page(&screenshot(260, gray)).expect("a strip");
-            assert_eq!((view.width, view.height), (30, 60));
+            let view = view_of_page(&screenshot(PAGE, gray)).expect("a strip");
+            assert_eq!([view.width, view.height], VIEW);
             assert!(view.rgba.chunks(4).all(|pixel| pixel[0] == 174));
         }
-        for (height, gray) in [(260, 90), (200, 26), (20, 26), (0, 26)] {
-            assert_eq!(view_of_page(&screenshot(height, gray)), None);
+        for (height, gray) in [
+            (PAGE.1, 90),
+            (PAGE.1 - 1, 26),
+            (STRIP, 26),
+            (20, 26),
+            (0, 26),
+        ] {
+            assert!(
+                view_of_page(&screenshot((VIEW[0], height), gray)).is_none(),
+                "{height} {gray}"
+            );
         }
-        // Beside a frame the view begins one pixel farther in both directions.
-        let mut framed = screenshot(260, 26);
-        let at = |x: usize, y: usize| 4 * (30 * y + x);
-        for along in 0..60 {
-            framed.rgba[at(0, along)..][..3].fill(170);
-            framed.rgba[at(along % 30, 0)..][..3].fill(170);
-        }
-        framed.rgba[at(1, 1)..][..3].fill(9);
-        framed.rgba[at(29, 60)..][..3].fill(7);
-        let view = view_of_page(&framed).expect("a strip");
-        assert_eq!((view.width, view.height), (30, 60));
-        assert_eq!((view.rgba[0], view.rgba[at(29, 59)]), (9, 7));
-        let mut dark = screenshot(260, 26);
+        // As wide as no page is shown.
+        assert!(view_of_page(&screenshot((700, PAGE.1), 26)).is_none());
+        let mut dark = screenshot(PAGE, 26);
         dark.rgba
             .chunks_mut(4)
             .for_each(|pixel| pixel[..3].fill(26));
-        assert_eq!(view_of_page(&dark), None);
+        assert!(view_of_page(&dark).is_none());
         // Teal is the background of the view.
-        let mut teal = screenshot(260, 26);
+        let mut teal = screenshot(PAGE, 26);
         teal.rgba.chunks_mut(4).for_each(|pixel| pixel[1] = 95);
-        assert_eq!(view_of_page(&teal), None);
+        assert!(view_of_page(&teal).is_none());
+    }
+
+    #[test]
+    fn beside_the_frame_of_the_page_its_view_begins_one_pixel_farther_in_both_directions() {
+        let mut framed = screenshot((PAGE.0, PAGE.1 + 1), 26);
+        framed.rgba.truncate(4 * (PAGE.0 * PAGE.1) as usize);
+        framed.height = PAGE.1;
+        for x in 0..PAGE.0 {
+            framed.rgba[at(x, 0)..][..3].fill(170);
+        }
+        for y in 0..PAGE.1 {
+            framed.rgba[at(0, y)..][..3].fill(170);
+        }
+        framed.rgba[at(1, 1)..][..3].fill(9);
+        framed.rgba[at(VIEW[0] - 1, VIEW[1])..][..3].fill(7);
+        let view = view_of_page(&framed).expect("a strip");
+        assert_eq!([view.width, view.height], VIEW);
+        let last = at(VIEW[0] - 1, VIEW[1] - 1);
+        assert_eq!((view.rgba[0], view.rgba[last]), (9, 7));
+    }
+
+    #[test]
+    fn a_picture_shows_the_sky_of_the_page_where_its_upper_edge_is_teal() {
+        let mut picture = screenshot(PAGE, 26);
+        assert!(!has_sky_of_page(&picture));
+        for y in 0..5 {
+            for x in 0..PAGE.0 {
+                picture.rgba[at(x, y)..][..3].copy_from_slice(&[0, 95, 95]);
+            }
+        }
+        assert!(has_sky_of_page(&picture));
+        for x in 100..160 {
+            picture.rgba[at(x, 2)..][..3].fill(26);
+        }
+        assert!(!has_sky_of_page(&picture), "something is before it");
+        assert!(!has_sky_of_page(&screenshot((VIEW[0], 0), 26)));
     }
 }

@@ -178,23 +178,21 @@ fn a_mesh_of_another_pose_is_told_though_a_mistake_moves_it_a_little_besides() {
         false => turned(SEED)(joint),
     });
     let theirs = with(&["weights-normalized"]).skin(&posed);
-    let found = adult().diagnose(&written(&theirs, 6));
-    assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
-    let other = found.other_pose.as_ref().unwrap();
-    assert_eq!(
-        other.besides.as_ref().unwrap().id,
-        "weights-normalized",
-        "{found}"
-    );
-    let turned = other.joints.iter().map(ToString::to_string);
-    let turned: Vec<String> = turned.collect();
-    assert!(
-        turned[0].starts_with("Right elbow (10°, 20°, -30°) instead of "),
-        "{found}"
-    );
-    assert_eq!(turned.len(), 1, "{found}");
-    let begins = "another pose: but for weights-normalized, this is the exact result of a pose";
-    assert!(found.to_string().starts_with(begins), "{found}");
+    let corners = adult().character.bind_mesh().triangles.concat();
+    let of_corners = corners.iter().map(|&corner| theirs[corner as usize]);
+    let of_corners: Vec<Vec3> = of_corners.collect();
+    for theirs in [theirs, of_corners] {
+        let found = adult().diagnose(&written(&theirs, 6));
+        assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
+        let other = found.other_pose.as_ref().unwrap();
+        let besides = other.besides.as_ref().map(|mistake| mistake.id);
+        assert_eq!(besides, Some("weights-normalized"), "{found}");
+        let turned: Vec<String> = other.joints.iter().map(ToString::to_string).collect();
+        let elbow = "Right elbow (10°, 20°, -30°) instead of ";
+        assert!(turned.len() == 1 && turned[0].starts_with(elbow), "{found}");
+        let begins = "another pose: but for weights-normalized, this is the exact result of a pose";
+        assert!(found.to_string().starts_with(begins), "{found}");
+    }
 }
 
 #[test]

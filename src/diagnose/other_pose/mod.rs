@@ -243,7 +243,7 @@ impl Search<'_> {
         let enough = as_good(error, size).min(self.tolerance);
         let with = |parts: f64| {
             let (mut pose, mut joints) = (pose.clone(), joints.clone());
-            for joint in &mut joints {
+            for joint in joints.iter_mut().filter(|joint| joint.turned_by > 0.0) {
                 let index = joint.joint_index;
                 let rotation = without_noise(pose.rotation(index), parts);
                 pose.set_joint_transform(index, rotation);
