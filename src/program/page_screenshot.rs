@@ -1,7 +1,6 @@
 //! Screenshots of the Virtual Mannequin's page, which show its keyframes below the view.
 
 use super::page_figure::is_of_sky;
-use crate::compare::Area;
 use crate::geometry::Picture;
 use image::RgbaImage;
 use image::imageops::thumbnail;
@@ -19,7 +18,9 @@ const LEAST: f64 = 0.1;
 const COLOR: RangeInclusive<u8> = 24..=28;
 
 /// Width and height of the page's view, in its pixels.
-const VIEW: [u32; 2] = [800, 600];
+const VIEW: [usize; 2] = [800, 600];
+/// Height of the strip below it.
+const STRIP: usize = 200;
 /// How many pixels of a picture are one of the page, across, in screenshots of dense screens and of a page that is made larger.
 const SCALES: [f64; 9] = [1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0];
 
@@ -45,42 +46,69 @@ pub(super) fn view_of_page(picture: &Picture) -> Option<Picture> {
         let of_strip = of_rows.filter(|pixel| is_of_strip(pixel)).count();
         of_strip as f64 / (rows.len() * columns.len()).max(1) as f64
     };
-    let view_above = |bottom: usize| -> Option<(Area, f64)> {
+    let found_at = |bottom: usize| -> Option<Found> {
         let columns = longest_in_strip(rows[bottom])?;
-        let scale = scale_of(columns.len())?;
-        let [wide, high] = VIEW.map(|size| (f64::from(size) * scale).round() as usize);
-        let top = bottom.checked_sub(high)?;
-        let [from, to] =
-            [EMPTY_ROWS.start, EMPTY_ROWS.end].map(|row| (row as f64 * scale) as usize);
+        let found = Found::of_size((width, rows.len()), columns.clone(), bottom)?;
+        let [from, to] = [EMPTY_ROWS.start, EMPTY_ROWS.end].map(|row| scaled(row, found.scale));
         let in_strip = share(rows.get(bottom + from..bottom + to)?, columns.clone());
-        let in_view = share(
-            &rows[bottom.saturating_sub(LAST_ROWS)..bottom],
-            columns.clone(),
-        );
-        let view = Area {
-            x: columns.start as u32,
-            y: top as u32,
-            width: wide as u32,
-            height: high as u32,
-        };
-        (in_strip >= MOST && in_view <= LEAST).then_some((view, scale))
+        let last_rows = &rows[bottom.saturating_sub(LAST_ROWS)..bottom];
+        let in_view = share(last_rows, columns);
+        (in_strip >= MOST && in_view <= LEAST).then_some(found)
     };
-    let (view, scale) = (0..rows.len()).find_map(view_above)?;
-    let rgba = (view.y..view.y + view.height).flat_map(|y| {
-        let row = rows[y as usize];
-        // What is beyond the last column is like it.
-        (view.x..view.x + view.width).flat_map(move |x| row[(x as usize).min(width - 1)])
-    });
-    let found = RgbaImage::from_raw(view.width, view.height, rgba.collect())?;
-    let of_page = match scale == 1.0 {
-        true => found,
-        false => thumbnail(&found, VIEW[0], VIEW[1]),
+    let found = (0..rows.len()).find_map(found_at)?;
+    let [width, height] = found.view.map(|size| scaled(size, found.scale));
+    let (left, last) = (found.columns.start, found.columns.end - 1);
+    let view = rows[found.bottom - height..found.bottom].iter();
+    // What is beyond the strip's last column is the frame, or around the page.
+    let rgba = view.flat_map(|row| (left..left + width).flat_map(|x| row[x.min(last)]));
+    let shown = RgbaImage::from_raw(width as u32, height as u32, rgba.collect())?;
+    let [width, height] = found.view.map(|size| size as u32);
+    let of_page = match found.scale == 1.0 {
+        true => shown,
+        false => thumbnail(&shown, width, height),
     };
     Some(Picture {
-        width: VIEW[0],
-        height: VIEW[1],
+        width,
+        height,
         rgba: of_page.into_raw(),
     })
+}
+
+/// Where a page is in a picture.
+struct Found {
+    /// Columns of its strip.
+    columns: Range<usize>,
+    /// The first row of that, below the view.
+    bottom: usize,
+    /// Width and height of the view in the page's pixels.
+    view: [usize; 2],
+    /// How many pixels of the picture are one of the page, across.
+    scale: f64,
+}
+
+impl Found {
+    /// A page whose strip has these columns and begins in the row `bottom` of a picture of this width and height: one of any
+    /// size that is all of the picture, or else one of the usual size.
+    fn of_size(
+        (width, height): (usize, usize),
+        columns: Range<usize>,
+        bottom: usize,
+    ) -> Option<Self> {
+        let high = height.checked_sub(STRIP).filter(|high| *high > 0);
+        // A frame is a pixel wide, on the left and above.
+        let is_all = columns.len() + 1 >= width && [height, height + 1].contains(&(bottom + STRIP));
+        let (view, scale) = match high.filter(|_| is_all) {
+            Some(high) => ([width, high], 1.0),
+            None => (VIEW, scale_of(columns.len())?),
+        };
+        let is_above = bottom >= scaled(view[1], scale);
+        is_above.then_some(Self {
+            columns,
+            bottom,
+            view,
+            scale,
+        })
+    }
 }
 
 /// The longest part of a row that has the strip's color, if there is one.
@@ -98,10 +126,15 @@ fn longest_in_strip(row: &[[u8; 4]]) -> Option<Range<usize>> {
     (!longest.is_empty()).then_some(longest)
 }
 
+/// So many pixels of the page in those of a picture.
+fn scaled(pixels: usize, scale: f64) -> usize {
+    (pixels as f64 * scale).round() as usize
+}
+
 /// How many pixels of a picture are one of the page whose strip is so wide in it, but for the frame at its sides.
 fn scale_of(width: usize) -> Option<f64> {
     let is_of = |scale: &&f64| {
-        let lacks = f64::from(VIEW[0]) * **scale - width as f64;
+        let lacks = VIEW[0] as f64 * **scale - width as f64;
         (-1.0..=2.0 * **scale + 1.0).contains(&lacks)
     };
     SCALES.iter().find(is_of).copied()
@@ -115,93 +148,89 @@ fn is_of_strip([red, green, blue, _]: &[u8; 4]) -> bool {
 mod tests {
     use super::*;
 
-    const STRIP: u32 = 200;
-
-    /// A screenshot of the page whose view is light and whose strip is of this gray.
-    fn screenshot((width, height): (u32, u32), strip: u8) -> Picture {
+    fn screenshot(height: u32, strip: u8) -> Picture {
         let rows = (0..height).flat_map(|row| {
-            let is_of_view = row + STRIP < height;
+            let is_of_view = row as usize + STRIP <= height as usize;
             let gray = if is_of_view { 174 } else { strip };
-            vec![[gray, gray, gray, 255]; width as usize].into_flattened()
+            [[gray, gray, gray, 255]; 30].into_iter().flatten()
         });
         Picture {
-            width,
+            width: 30,
             height,
             rgba: rows.collect(),
         }
     }
 
-    const PAGE: (u32, u32) = (VIEW[0], VIEW[1] + STRIP);
-
-    fn at(x: u32, y: u32) -> usize {
-        4 * (VIEW[0] * y + x) as usize
-    }
-
     #[test]
     fn only_a_screenshot_with_the_strip_of_keyframes_is_cut() {
         for gray in [25, 26] {
-            let view = view_of_page(&screenshot(PAGE, gray)).expect("a strip");
-            assert_eq!([view.width, view.height], VIEW);
+            let view = view_of_page(&screenshot(260, gray)).expect("a strip");
+            assert_eq!((view.width, view.height), (30, 60));
             assert!(view.rgba.chunks(4).all(|pixel| pixel[0] == 174));
         }
-        for (height, gray) in [
-            (PAGE.1, 90),
-            (PAGE.1 - 1, 26),
-            (STRIP, 26),
-            (20, 26),
-            (0, 26),
-        ] {
-            assert!(
-                view_of_page(&screenshot((VIEW[0], height), gray)).is_none(),
-                "{height} {gray}"
-            );
+        for (height, gray) in [(260, 90), (200, 26), (20, 26), (0, 26)] {
+            assert_eq!(view_of_page(&screenshot(height, gray)), None);
         }
-        // As wide as no page is shown.
-        assert!(view_of_page(&screenshot((700, PAGE.1), 26)).is_none());
-        let mut dark = screenshot(PAGE, 26);
+        // Beside a frame the view begins one pixel farther in both directions.
+        let mut framed = screenshot(260, 26);
+        let at = |x: usize, y: usize| 4 * (30 * y + x);
+        for along in 0..60 {
+            framed.rgba[at(0, along)..][..3].fill(170);
+            framed.rgba[at(along % 30, 0)..][..3].fill(170);
+        }
+        // The frame goes on beside the strip.
+        (60..260).for_each(|y| framed.rgba[at(0, y)..][..3].fill(170));
+        framed.rgba[at(1, 1)..][..3].fill(9);
+        framed.rgba[at(29, 60)..][..3].fill(7);
+        let view = view_of_page(&framed).expect("a strip");
+        assert_eq!((view.width, view.height), (30, 60));
+        assert_eq!((view.rgba[0], view.rgba[at(29, 59)]), (9, 7));
+        let mut dark = screenshot(260, 26);
         dark.rgba
             .chunks_mut(4)
             .for_each(|pixel| pixel[..3].fill(26));
-        assert!(view_of_page(&dark).is_none());
+        assert_eq!(view_of_page(&dark), None);
         // Teal is the background of the view.
-        let mut teal = screenshot(PAGE, 26);
+        let mut teal = screenshot(260, 26);
         teal.rgba.chunks_mut(4).for_each(|pixel| pixel[1] = 95);
-        assert!(view_of_page(&teal).is_none());
-    }
-
-    #[test]
-    fn beside_the_frame_of_the_page_its_view_begins_one_pixel_farther_in_both_directions() {
-        let mut framed = screenshot((PAGE.0, PAGE.1 + 1), 26);
-        framed.rgba.truncate(4 * (PAGE.0 * PAGE.1) as usize);
-        framed.height = PAGE.1;
-        for x in 0..PAGE.0 {
-            framed.rgba[at(x, 0)..][..3].fill(170);
-        }
-        for y in 0..PAGE.1 {
-            framed.rgba[at(0, y)..][..3].fill(170);
-        }
-        framed.rgba[at(1, 1)..][..3].fill(9);
-        framed.rgba[at(VIEW[0] - 1, VIEW[1])..][..3].fill(7);
-        let view = view_of_page(&framed).expect("a strip");
-        assert_eq!([view.width, view.height], VIEW);
-        let last = at(VIEW[0] - 1, VIEW[1] - 1);
-        assert_eq!((view.rgba[0], view.rgba[last]), (9, 7));
+        assert_eq!(view_of_page(&teal), None);
     }
 
     #[test]
     fn a_picture_shows_the_sky_of_the_page_where_its_upper_edge_is_teal() {
-        let mut picture = screenshot(PAGE, 26);
+        let mut picture = screenshot(260, 26);
+        let at = |x: usize, y: usize| 4 * (30 * y + x);
         assert!(!has_sky_of_page(&picture));
-        for y in 0..5 {
-            for x in 0..PAGE.0 {
-                picture.rgba[at(x, y)..][..3].copy_from_slice(&[0, 95, 95]);
-            }
+        for x in 0..150 {
+            picture.rgba[at(x % 30, x / 30)..][..3].copy_from_slice(&[0, 95, 95]);
         }
         assert!(has_sky_of_page(&picture));
-        for x in 100..160 {
-            picture.rgba[at(x, 2)..][..3].fill(26);
-        }
+        // Two pixels of the three rows below the frame are more than noise.
+        (10..12).for_each(|x| picture.rgba[at(x, 2)..][..3].fill(26));
         assert!(!has_sky_of_page(&picture), "something is before it");
-        assert!(!has_sky_of_page(&screenshot((VIEW[0], 0), 26)));
+        assert!(!has_sky_of_page(&screenshot(0, 26)));
+    }
+
+    #[test]
+    fn a_page_is_found_on_a_screen_in_its_usual_size_alone() {
+        let on_screen = |width: usize| {
+            let (left, right) = (40, 60);
+            let row = |inside: u8| {
+                let gray = [vec![255; left], vec![inside; width], vec![255; right]].concat();
+                gray.into_iter().flat_map(|gray| [gray, gray, gray, 255])
+            };
+            let around = (0..30).flat_map(|_| row(255));
+            let view = (0..600).flat_map(|_| row(174));
+            let strip = (0..STRIP).flat_map(|_| row(26));
+            Picture {
+                width: (left + width + right) as u32,
+                height: 30 + 600 + STRIP as u32,
+                rgba: around.chain(view).chain(strip).collect(),
+            }
+        };
+        let view = view_of_page(&on_screen(VIEW[0])).expect("a page");
+        assert_eq!((view.width, view.height), (800, 600));
+        assert!(view.rgba.chunks(4).all(|pixel| pixel[0] == 174));
+        assert!(view_of_page(&on_screen(700)).is_none());
     }
 }
