@@ -1,9 +1,10 @@
-//! Mistakes whose numbers come from the mesh, and those in single lines and columns, each beside another mistake.
+//! Mistakes whose numbers come from the mesh, and those in single lines, columns and joints, each beside another mistake.
 
 use super::MUCH_NEARER;
 use super::formula::{Columns, Formula, LeftOnStack, Parents, Popped, Rows};
 use super::found_otherwise::{ANGLES_SCALED, ONE_WRONG_OFFSET};
 use super::made_alone::MadeAlone;
+use super::not_turned::Lacking;
 use super::search::{Explanation, Search};
 use super::ways::{formula, ways, ways_of_whole_program};
 use super::{one_joint, small_weights, whole_program};
@@ -22,6 +23,7 @@ pub(super) async fn find(
 ) -> Vec<Explanation> {
     let exact = Formula::default();
     let error = search.error_of_sample(&exact).unwrap_or(f64::INFINITY);
+    let lacking = Lacking::new(search, pace).await;
     let mut found = Vec::new();
     for other in ways().chain(ways_of_whole_program()) {
         let by_other = formula(&[other]);
@@ -33,6 +35,9 @@ pub(super) async fn find(
             continue;
         };
         let mut explanations = Vec::new();
+        if let Some(lacking) = &lacking {
+            explanations.extend(lacking.beside(other, pace).await);
+        }
         if by_other.weights.columns == Columns::Exact && by_other.weights.rows == Rows::Exact {
             explanations.extend(beside.exchanged_weights(pace).await);
             explanations.extend(beside.left_out(pace).await);

@@ -164,6 +164,17 @@ pub(super) static WEIGHT_ROWS_DRIFT: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in the pose, which is found joint by joint. It is named beside another one; a mesh with it alone is right in
+/// another pose.
+pub static JOINT_NOT_TURNED: Mistake = Mistake {
+    id: "joint-not-turned",
+    meaning: "one joint is not turned",
+    section: SLIDERS,
+    look_at: "whether the angles of this joint reach setJointTransform, in the loop over the joints and where the pose is \
+              read",
+    readings: &[],
+};
+
 /// A mistake in where all of a mesh is, which nothing but the mesh itself shows. It is named beside another one; a mesh
 /// with it alone is nearly right.
 pub(super) static MOVED_AS_A_WHOLE: Mistake = Mistake {
@@ -220,7 +231,7 @@ fn scale_angles(formula: &mut Formula, pi: f64) {
 }
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 18] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 19] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
@@ -237,6 +248,7 @@ pub(super) static FOUND_OTHERWISE: [&Mistake; 18] = [
     &BIND_OF_OTHER_POSE,
     &ANGLES_KEPT,
     &POSE_LATE,
+    &JOINT_NOT_TURNED,
     &MOVED_AS_A_WHOLE,
     &PICTURE_TURNED,
 ];

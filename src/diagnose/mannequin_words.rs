@@ -70,7 +70,7 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
     ),
     (&["inverse-bind-shared"], Some(OWN_FRAMES)),
     (&["matrix-transposed"], Some(TRANSPOSED)),
-    (&["pose-not-applied"], Some(POSE)),
+    (&["pose-not-applied", "joint-not-turned"], Some(POSE)),
     (
         &[
             "rotation-before-translation",

@@ -62,7 +62,9 @@ pub use formula::{
     JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations,
     Rounded, RoundedAngles, Rows, Shaped, VertexOrder, WeightFormula,
 };
-pub use found_otherwise::{ANGLES_KEPT, BIND_OF_OTHER_POSE, POSE_LATE, SUM_NOT_RESET};
+pub use found_otherwise::{
+    ANGLES_KEPT, BIND_OF_OTHER_POSE, JOINT_NOT_TURNED, POSE_LATE, SUM_NOT_RESET,
+};
 pub use job::MeshJob;
 pub use mannequin_words::ToldFor;
 pub use measure::{MeshMeasure, measure};

@@ -1,10 +1,20 @@
-//! Poses that lack one joint: the plainest reason why a mesh is off.
+//! Poses that lack one joint: the plainest reason why a mesh is off, alone or beside a mistake.
 
 use super::formula::{Formula, VertexOrder};
-use super::search::Search;
+use super::found_otherwise::JOINT_NOT_TURNED;
+use super::other_pose::moving_or_below;
+use super::search::{Explanation, Search};
 use super::skin::Skinner;
+use super::ways::{Made, formula};
+use crate::character::Pose;
 use crate::math::Euler;
 use crate::steps::Pace;
+
+/// Fewest joints of a pose of which one may be left out beside a mistake. Of two, no more than half of the pose would be
+/// there.
+const FEWEST: usize = 3;
+/// Joints of the largest poses in which each is left out beside each mistake.
+const MOST: usize = 128;
 
 /// A joint without whose rotation the exact formula gives the mesh.
 pub(super) struct NotTurned {
@@ -16,26 +26,110 @@ pub(super) struct NotTurned {
 /// Joints each of which, left as it is in the bind pose, gives the mesh of `search`, with vertices in `order`. Where no other
 /// joint is turned that is the whole pose, and none is told.
 pub(super) async fn find(search: &Search<'_>, order: VertexOrder, pace: &Pace) -> Vec<NotTurned> {
-    let formula = Formula {
-        vertex_order: order,
-        ..Formula::default()
-    };
     let mut found = Vec::new();
-    for joint in 0..search.model.skeleton().joints().len() {
-        if search.pose.rotation(joint) == Euler::default() {
-            continue;
-        }
-        let mut pose = search.pose.clone();
-        pose.set_joint_transform(joint, Euler::default());
+    for joint in turned(search.pose, search.model.skeleton().joints().len()) {
+        let pose = without(search.pose, joint);
         if pose.is_bind() {
             continue;
         }
-        let mut skinner = Skinner::new(search.model, &pose, &formula);
-        let given = search.explained_by(&mut skinner, Vec::new(), pace).await;
+        let given = exact_in(search, &pose, order, pace).await;
         found.extend(given.map(|given| NotTurned {
             joint,
             error: given.error,
         }));
     }
     found
+}
+
+/// The pose of a search without each of its joints, where one of them is left out beside a mistake.
+pub(super) struct Lacking<'a> {
+    search: &'a Search<'a>,
+    poses: Vec<(usize, Pose)>,
+}
+
+impl<'a> Lacking<'a> {
+    /// `None` where no joint is left out beside another mistake: there are too few or too many, or the mesh is right
+    /// without one.
+    pub(super) async fn new(search: &'a Search<'a>, pace: &Pace) -> Option<Self> {
+        let moves = moving_or_below(search.model);
+        let is_in_pose = |joint: &usize| moves[*joint] && search.pose.is_changed(*joint);
+        let in_pose = (0..moves.len()).filter(is_in_pose).count();
+        if !(FEWEST..=MOST).contains(&in_pose) {
+            return None;
+        }
+        let mut poses = Vec::new();
+        for joint in turned(search.pose, moves.len()).filter(|&joint| moves[joint]) {
+            let pose = without(search.pose, joint);
+            if exact_in(search, &pose, VertexOrder::File, pace)
+                .await
+                .is_some()
+            {
+                return None;
+            }
+            poses.push((joint, pose));
+        }
+        Some(Self { search, poses })
+    }
+
+    /// The joints that, not turned beside a mistake, give the mesh, where two that are not turned do not: that is a pose.
+    pub(super) async fn beside(&self, other: Made, pace: &Pace) -> Vec<Explanation> {
+        let by = formula(&[other]);
+        if !self.search.may_be_of(&by) {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        for (joint, pose) in &self.poses {
+            let mut skinner = Skinner::new(self.search.model, pose, &by);
+            let made = vec![other, Made::by_numbers(&JOINT_NOT_TURNED)];
+            let given = self.search.explained_by(&mut skinner, made, pace).await;
+            let Some(given) = given else { continue };
+            if !self.lacks_another(pose, pace).await {
+                let name = &self.search.model.skeleton().joints()[*joint].name;
+                found.push(Explanation {
+                    how: Some(format!("{name} ({joint})")),
+                    ..given
+                });
+            }
+        }
+        found
+    }
+
+    /// Whether the mesh is right in `pose` without one more joint.
+    async fn lacks_another(&self, pose: &Pose, pace: &Pace) -> bool {
+        for (joint, _) in &self.poses {
+            let pose = without(pose, *joint);
+            let given = exact_in(self.search, &pose, VertexOrder::File, pace);
+            if given.await.is_some() {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+/// The joints, of so many, that a pose turns.
+fn turned(pose: &Pose, joints: usize) -> impl Iterator<Item = usize> + '_ {
+    (0..joints).filter(|&joint| pose.rotation(joint) != Euler::default())
+}
+
+/// A pose in which one joint is not turned.
+fn without(pose: &Pose, joint: usize) -> Pose {
+    let mut pose = pose.clone();
+    pose.set_joint_transform(joint, Euler::default());
+    pose
+}
+
+/// That the mesh of `search` is right in a pose, if it is.
+async fn exact_in(
+    search: &Search<'_>,
+    pose: &Pose,
+    order: VertexOrder,
+    pace: &Pace,
+) -> Option<Explanation> {
+    let formula = Formula {
+        vertex_order: order,
+        ..Formula::default()
+    };
+    let mut skinner = Skinner::new(search.model, pose, &formula);
+    search.explained_by(&mut skinner, Vec::new(), pace).await
 }

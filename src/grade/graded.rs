@@ -1,7 +1,7 @@
 //! What the file of one test is.
 
 use super::kept::FROM_OTHER_TESTS;
-use crate::diagnose::{Mistake, POSE_LATE};
+use crate::diagnose::{JOINT_NOT_TURNED, Mistake, POSE_LATE};
 use serde::{Deserialize, Serialize};
 
 /// What became of a test.
@@ -193,16 +193,17 @@ impl Graded {
         }
     }
 
-    /// Whether nothing tells against another pose than that of its test: it is wrong, and not by a mistake that no pose
+    /// Whether nothing tells against another pose than that of its test: it is wrong, and not by mistakes that no pose
     /// makes.
     pub(super) fn may_be_of_other_pose(&self) -> bool {
         let is_of_angles =
             |id: &String| Mistake::find(id).is_some_and(|it| it.section == POSE_LATE.section);
+        let lacks_joint = |ids: &[String]| ids.iter().any(|id| *id == JOINT_NOT_TURNED.id);
         match self.outcome {
             Outcome::OtherPose | Outcome::Unexplained => true,
             Outcome::Explained => {
                 let mut causes = self.causes.iter();
-                causes.any(|ids| ids.iter().all(is_of_angles))
+                causes.any(|ids| ids.iter().all(is_of_angles) || lacks_joint(ids))
             }
             _ => false,
         }

@@ -9,8 +9,8 @@ use super::nearness::nearness;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NoNumbers, POSE_NOT_APPLIED, PictureError, Verdict, diagnose, diagnose_picture,
-    has_silhouette, measure,
+    Diagnosis, JOINT_NOT_TURNED, NoNumbers, POSE_NOT_APPLIED, PictureError, Verdict, diagnose,
+    diagnose_picture, has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
@@ -175,7 +175,9 @@ impl Test {
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {
-                let is_open = matches!(found.verdict, Verdict::OtherPose | Verdict::Unexplained);
+                // A joint that is not turned beside a mistake may as well be as the pose of another test has it.
+                let is_open = matches!(found.verdict, Verdict::OtherPose | Verdict::Unexplained)
+                    || found.causes.contains(&JOINT_NOT_TURNED.id);
                 let of_other = self.other_of(tests, |test| is_open && test.is_right(&theirs));
                 let in_pose_of = self.other_of(tests, |test| {
                     is_open && of_other.is_none() && self.is_in_pose_of(test, &theirs)

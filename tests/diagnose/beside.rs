@@ -1,5 +1,5 @@
-//! Mistakes in one line of the skeleton, in the weights of single joints and with numbers from the mesh, each beside another
-//! mistake.
+//! Mistakes in one line of the skeleton, in the weights or the pose of single joints and with numbers from the mesh, each
+//! beside another mistake.
 
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{Student, Weights, with};
@@ -144,6 +144,50 @@ fn a_factor_of_the_angles_is_named_beside_another_mistake() {
         let how = "each is 0.9 times as large";
         assert_both(&gradians.skin(&adult()), other, "angles-scaled", how);
     }
+}
+
+/// The figure in the same pose, in which these joints are not turned.
+fn adult_without(joints: &[usize]) -> Figure {
+    adult_in(|joint| match joints.contains(&joint) {
+        true => Vec3::ZERO,
+        false => turned(SEED)(joint),
+    })
+}
+
+#[test]
+fn a_joint_that_is_not_turned_is_named_beside_another_mistake() {
+    let posed = adult_without(&[KNEE]);
+    let (id, how) = ("joint-not-turned", "Left knee (10)");
+    for other in OTHERS {
+        assert_both(&with(&[other]).skin(&posed), other, id, how);
+    }
+}
+
+#[test]
+fn joints_that_are_not_turned_are_another_pose_where_no_other_mistake_is_made() {
+    for joints in [&[KNEE][..], &[KNEE, ELBOW]] {
+        let posed = adult_without(joints);
+        let found = adult().diagnose(&written(&with(&[]).skin(&posed), 6));
+        let other = found.other_pose.as_ref().expect("another pose");
+        let told: Vec<usize> = other.joints.iter().map(|it| it.joint_index).collect();
+        assert_eq!(told, joints, "{found}");
+    }
+}
+
+#[test]
+fn of_two_joints_none_is_said_not_to_be_turned_beside_another_mistake() {
+    // Less than half of the pose would be there.
+    let pose = |of: &[usize]| {
+        let of = of.to_vec();
+        move |joint: usize| match of.contains(&joint) {
+            true => turned(SEED)(joint),
+            false => Vec3::ZERO,
+        }
+    };
+    let (expected, posed) = (pose(&[KNEE, ELBOW]), pose(&[ELBOW]));
+    let theirs = with(&["euler-zyx"]).skin(&adult_in(posed));
+    let found = adult_in(expected).diagnose(&written(&theirs, 6));
+    assert_eq!(found.verdict, Verdict::OtherPose, "{found}");
 }
 
 #[test]

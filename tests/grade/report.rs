@@ -251,6 +251,33 @@ fn a_file_of_another_test_with_a_mistake_besides_is_said_to_be_that() {
 }
 
 #[test]
+fn the_result_of_another_test_is_told_before_a_joint_that_is_not_turned_beside_a_mistake() {
+    let mut class = Class::new(&["adult", "adult"]);
+    let joints = class.tests[0].1.degrees.len();
+    let pose = |turned: &[(usize, Vec3)]| {
+        let mut degrees = vec![Vec3::ZERO; joints];
+        turned.iter().for_each(|&(joint, by)| degrees[joint] = by);
+        degrees
+    };
+    let (leg, knee, shoulder) = (9, 10, 16);
+    let as_asked = (leg, Vec3::new(0.0, 30.0, 10.0));
+    let asked = [as_asked, (knee, Vec3::Z * 20.0), (shoulder, Vec3::X * 40.0)];
+    let other = [as_asked, (shoulder, Vec3::X * -40.0)];
+    class.set_pose(0, pose(&asked));
+    let of_other = pose(&other);
+    submit_in(&class, "ann", |joint| of_other[joint]);
+    let both = json!([["sign-flipped-x", "joint-not-turned"]]);
+    let found = result(&class.graded(), "ann", "adult-1").clone();
+    assert_eq!(found["causes"], both, "{found}");
+    let points = json!({"3.2": 4.0, "3.4": 1.5, "4.2": 10.0});
+    assert_eq!(found["points"], points, "{found}");
+    // Once there is a test with that pose, it is found anew.
+    class.set_pose(1, of_other.clone());
+    let found = result(&class.graded(), "ann", "adult-1").clone();
+    assert_eq!(found["hint"], "the result of adult-2", "{found}");
+}
+
+#[test]
 fn results_that_are_skinned_instead_of_the_mesh_at_rest_are_named_with_their_tests() {
     let mut class = Class::new(&["robot", "robot", "robot"]);
     let right = with(&[]);

@@ -17,7 +17,8 @@ use fewest::{fewest, with_small_turns_put_back};
 use fit::{Fit, Posed};
 use glam::{DMat3, DVec3, Vec3};
 use serde::Serialize;
-use shared::{SharedTurn, moving_or_below, plainest};
+pub(super) use shared::moving_or_below;
+use shared::{SharedTurn, plainest};
 use std::fmt;
 use std::ops::RangeInclusive;
 

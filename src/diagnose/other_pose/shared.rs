@@ -98,7 +98,7 @@ fn from_plain(posed: &Posed, expected: &Posed) -> u32 {
 }
 
 /// For each joint, whether it or one below it moves vertices.
-pub(super) fn moving_or_below(model: &Model) -> Vec<bool> {
+pub(in crate::diagnose) fn moving_or_below(model: &Model) -> Vec<bool> {
     let joints = model.skeleton().joints();
     let mut below = model.moves.clone();
     for &joint in model.by_depth.iter().rev() {
