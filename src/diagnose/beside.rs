@@ -23,7 +23,7 @@ pub(super) async fn find(
 ) -> Vec<Explanation> {
     let exact = Formula::default();
     let error = search.error_of_sample(&exact).unwrap_or(f64::INFINITY);
-    let lacking = Lacking::new(search, pace).await;
+    let lacking = Lacking::new(search);
     let mut found = Vec::new();
     for other in ways().chain(ways_of_whole_program()) {
         let by_other = formula(&[other]);

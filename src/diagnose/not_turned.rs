@@ -48,30 +48,21 @@ pub(super) struct Lacking<'a> {
 }
 
 impl<'a> Lacking<'a> {
-    /// `None` where no joint is left out beside another mistake: there are too few or too many, or the mesh is right
-    /// without one.
-    pub(super) async fn new(search: &'a Search<'a>, pace: &Pace) -> Option<Self> {
+    /// `None` where the pose has too few or too many joints for that.
+    pub(super) fn new(search: &'a Search<'a>) -> Option<Self> {
         let moves = moving_or_below(search.model);
         let is_in_pose = |joint: &usize| moves[*joint] && search.pose.is_changed(*joint);
         let in_pose = (0..moves.len()).filter(is_in_pose).count();
-        if !(FEWEST..=MOST).contains(&in_pose) {
-            return None;
-        }
-        let mut poses = Vec::new();
-        for joint in turned(search.pose, moves.len()).filter(|&joint| moves[joint]) {
-            let pose = without(search.pose, joint);
-            if exact_in(search, &pose, VertexOrder::File, pace)
-                .await
-                .is_some()
-            {
-                return None;
-            }
-            poses.push((joint, pose));
-        }
-        Some(Self { search, poses })
+        let joints = turned(search.pose, moves.len()).filter(|&joint| moves[joint]);
+        let poses = joints.map(|joint| (joint, without(search.pose, joint)));
+        (FEWEST..=MOST).contains(&in_pose).then(|| Self {
+            search,
+            poses: poses.collect(),
+        })
     }
 
-    /// The joints that, not turned beside a mistake, give the mesh, where two that are not turned do not: that is a pose.
+    /// The joints that, not turned beside a mistake, give the mesh. Where it is right without one or two joints it is of
+    /// another pose, and no mistake besides is named.
     pub(super) async fn beside(&self, other: Made, pace: &Pace) -> Vec<Explanation> {
         let by = formula(&[other]);
         if !self.search.may_be_of(&by) {
@@ -83,7 +74,7 @@ impl<'a> Lacking<'a> {
             let made = vec![other, Made::by_numbers(&JOINT_NOT_TURNED)];
             let given = self.search.explained_by(&mut skinner, made, pace).await;
             let Some(given) = given else { continue };
-            if !self.lacks_another(pose, pace).await {
+            if !self.is_right_in(pose, pace).await {
                 let name = &self.search.model.skeleton().joints()[*joint].name;
                 found.push(Explanation {
                     how: Some(format!("{name} ({joint})")),
@@ -94,8 +85,8 @@ impl<'a> Lacking<'a> {
         found
     }
 
-    /// Whether the mesh is right in `pose` without one more joint.
-    async fn lacks_another(&self, pose: &Pose, pace: &Pace) -> bool {
+    /// Whether the mesh is right in `pose`, which lacks a joint, or without one more.
+    async fn is_right_in(&self, pose: &Pose, pace: &Pace) -> bool {
         for (joint, _) in &self.poses {
             let pose = without(pose, *joint);
             let given = exact_in(self.search, &pose, VertexOrder::File, pace);
