@@ -57,8 +57,6 @@ pub(super) struct MadeAlone<'a> {
     other: Option<Made>,
     /// The formula without the mistake that is sought.
     formula: Formula,
-    /// Where that has the vertices of the sample.
-    pub(super) at_sample: Vec<Placed>,
     /// Vertices of the sample that are off from there.
     pub(super) off: Vec<usize>,
     /// Which joint each index of a weight means.
@@ -90,7 +88,6 @@ impl<'a> MadeAlone<'a> {
         Self {
             search,
             other,
-            at_sample: sample.map(|&vertex| skinner.place(vertex)).collect(),
             off,
             joints: JointList::new(search.model, &formula),
             formula,

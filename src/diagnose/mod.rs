@@ -53,6 +53,7 @@ mod vertex_formula;
 mod ways;
 mod weight_formula;
 mod whole_program;
+mod wrong_offset;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 pub use diagnosis_words::{in_words, of_size, part_of_size, within_everywhere};

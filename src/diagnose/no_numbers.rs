@@ -81,6 +81,7 @@ impl NoNumbers {
             && let Some(place) = self.vertices.get(&first.vertex)
         {
             first.theirs = *place;
+            first.error = f64::INFINITY;
         }
         let regions = found.regions.iter_mut();
         for region in regions.filter(|region| self.vertices.contains_key(&region.worst_vertex)) {

@@ -126,6 +126,8 @@ impl Graded {
             text: format!("{shown}:\n{}", mesh.text),
             picture: self.picture,
             error: self.error,
+            agrees: self.agrees,
+            near: self.near,
             shows: self.shows,
             ..mesh.clone()
         }

@@ -183,8 +183,8 @@ impl FaceReader {
     /// or no faces.
     pub fn finish(mut self, scanner: &Scanner) -> Result<(Faces, Warnings), Diagnostic> {
         let found = self.counts[0];
-        // One that is missing is a mistake with a name, beside which the others can be told to be right.
-        let has_all = |expected| found == expected || found > 0 && found + 1 == expected;
+        // One that is missing or too many is a mistake with a name, beside which the others can be told to be right.
+        let has_all = |expected: usize| found > 0 && found.abs_diff(expected) <= 1;
         let has_all = self.expected_vertices.is_some_and(has_all);
         let missing = || self.ahead.iter().filter(|a| a.is_missing(&self.counts));
         if let Some(first) = missing().next().filter(|_| !has_all) {

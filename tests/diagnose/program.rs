@@ -232,6 +232,7 @@ fn single_vertices_that_are_no_numbers_are_wrong_and_the_others_are_looked_at() 
     let (code, found) = json(folder.path(), "right.obj");
     assert_eq!((code, &found["verdict"]), (Some(1), &"unexplained".into()));
     assert_eq!((&found["error"], &found["off"]), (&Value::Null, &1.into()));
+    assert_eq!(found["first"]["error"], Value::Null, "{found}");
     // As PowerShell writes what a program prints.
     let units = format!("\u{feff}{text}")
         .encode_utf16()
@@ -259,6 +260,16 @@ fn vertices_alone_are_enough_if_they_are_all() {
         ran.code == Some(1) && ran.out.starts_with(told),
         "{}",
         ran.out
+    );
+    let one_more = "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\nv -2 1 0\n";
+    fs::write(folder.path().join("points.txt"), one_more).unwrap();
+    let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");
+    let told = "vertex-too-many: there is one vertex more than the model has (after the last)\n";
+    assert!(
+        ran.code == Some(1) && ran.out.starts_with(told),
+        "{}{}",
+        ran.out,
+        ran.err
     );
     fs::write(folder.path().join("points.txt"), "v 1 1 0\n").unwrap();
     let ran = diagnose(folder.path(), "points.txt", "man.obj", "bend.json");

@@ -1019,6 +1019,12 @@ fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follo
     let (outcome, text) = told(&report, "ann");
     let shows = "it shows adult-1.obj of the submission:\nweights-exchanged: ";
     assert!(outcome == "explained" && text.starts_with(shows), "{text}");
+    // What is right of it is of the picture, and not of the mesh.
+    let [picture, mesh] = ["side", "adult-1"].map(|test| result(&report, "ann", test));
+    let off = picture["error"].as_f64().unwrap();
+    assert!(off > 0.001, "{picture}");
+    assert!((picture["agrees"].as_f64().unwrap() - (1.0 - off)).abs() < 1e-6);
+    assert_ne!(picture["agrees"], mesh["agrees"], "{picture}");
     let (outcome, text) = told(&report, "bob");
     assert!(
         outcome == "unexplained" && !text.contains("it shows"),
