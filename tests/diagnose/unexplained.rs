@@ -239,7 +239,29 @@ fn of_several_joints_that_are_off_the_one_next_to_the_root_shows_it() {
 }
 
 #[test]
-fn a_joint_is_where_it_begins_only_if_its_own_vertices_are_off_and_not_what_a_joint_below_moves_nearly_as_much()
+fn no_joint_above_one_that_is_not_turned_shows_it() {
+    let all = turned(31);
+    for name in ["adult", "dog", "robot"] {
+        let figure = Figure::builtin(name, &all);
+        let joints = figure.character.skeleton().joints();
+        for joint in 0..joints.len() {
+            let posed = Figure::builtin(name, |other| match other == joint {
+                true => Vec3::ZERO,
+                false => all(other),
+            });
+            let found = figure.diagnose(&RIGHT.skin(&posed));
+            let Some(first) = found.first.as_ref().and_then(|first| first.joint_index) else {
+                continue;
+            };
+            let mut above = std::iter::successors(Some(first), |&one| joints[one].parent);
+            let case = format!("{name}, {}: {found}", joints[joint].name);
+            assert!(above.any(|one| one == joint), "{case}");
+        }
+    }
+}
+
+#[test]
+fn a_joint_shows_it_only_if_its_own_vertices_are_off_and_not_what_a_joint_below_moves_nearly_as_much()
  {
     // A neck and a jaw, and vertices that both move, the neck a little more.
     let mut obj = String::new();

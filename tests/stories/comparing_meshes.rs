@@ -558,7 +558,7 @@ fn where_a_mistake_begins_is_one_click_away_where_that_is_not_the_worst_vertex()
     let mut story = comparing(&transposed());
     diagnose(&mut story);
     let begins = text(&story, "Show Vertex ");
-    assert!(begins.ends_with(" at Hips, Where It Begins"), "{begins}");
+    assert!(begins.ends_with(" at Hips, the First Much Off"), "{begins}");
     story.click("Show the Worst Vertex");
     let worst = story.session().view().camera;
     story.click(&begins);

@@ -40,12 +40,12 @@ impl Parts<'_> {
         }
     }
 
-    /// Ways to the vertex that shows where what is wrong begins, if that is not the `worst`, and to its formula.
+    /// Ways to the vertex that shows what is wrong, if that is not the `worst`, and to its formula.
     fn shown_by(&mut self, ui: &mut Ui, first: &Shown, worst: Option<usize>) {
         if worst != Some(first.vertex) {
             let joint = first.joint.as_deref();
             let at = joint.map_or(String::new(), |joint| format!(" at {joint}"));
-            let text = format!("Show Vertex {}{at}, Where It Begins", first.vertex);
+            let text = format!("Show Vertex {}{at}, the First Much Off", first.vertex);
             let is_marked = self.chosen.marked == Some(first.vertex);
             let button = ui.add(Button::new(text).selected(is_marked).wrap());
             let tip = format!(
