@@ -202,6 +202,8 @@ pub enum View {
     SetBones(bool),
     /// Sets lights and background.
     SetLook(Look),
+    /// The same, with the axes as the look has them in a new view, unless they were shown or hidden.
+    ChooseLook(Look),
     /// Sets the normals that surfaces are shaded with.
     SetShading(Shading),
     /// Selects a shape alone, or none.

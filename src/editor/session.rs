@@ -175,6 +175,7 @@ impl Session {
             View::SetGrid(grid) => self.view.grid = grid,
             View::SetBones(bones) => self.view.bones = bones,
             View::SetLook(look) => self.view.look = look,
+            View::ChooseLook(look) => self.view.choose_look(look),
             View::SetShading(shading) => self.view.shading = shading,
             View::Select(selected) => {
                 if selected != self.selected() || !self.selection.others.is_empty() {

@@ -185,7 +185,10 @@ impl PoseData {
     /// The text of a `POSE.json`, a joint a line. Numbers have as many digits as it takes to read
     /// the same ones back.
     pub fn to_json(&self) -> String {
-        let mut text = format!("{{\n  \"joints\": {}", object(&self.joints, degrees));
+        let mut text = format!(
+            "{{\n  \"joints\": {}",
+            object(&self.joints, Euler::shortest_degrees)
+        );
         if !self.roots.is_empty() {
             // Writing to a string cannot fail.
             let _ = write!(text, ",\n  \"roots\": {}", object(&self.roots, |v| v));
@@ -224,23 +227,6 @@ pub(super) fn key(skeleton: &SkeletalModel, joint: usize) -> Key {
     }
     Key::named(found.unwrap_or(&index))
 }
-
-/// For each angle the number of degrees with the fewest digits that is read as the same angle;
-/// the nearest one where rounding lets no number of degrees be read as it.
-fn degrees(rotation: Euler) -> Vec3 {
-    let exact = rotation.radians.to_array();
-    Vec3::from(exact.map(|radians| {
-        let degrees = f64::from(radians).to_degrees();
-        let read = |degrees: f32| Euler::from_degrees(Vec3::splat(degrees)).radians.x;
-        (0..MOST_DECIMALS)
-            .filter_map(|decimals| format!("{degrees:.decimals$}").parse().ok())
-            .find(|&short| read(short) == radians)
-            .unwrap_or(degrees as f32)
-    }))
-}
-
-/// Decimals beyond these make no other `f32`, unless the number is all but 0.
-const MOST_DECIMALS: usize = 12;
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// Cosine of the angle about Y below which the axes of the rotations about X and Z coincide to
 /// within single precision: gimbal lock.
 const LOCKED: f64 = 1e-6;
+/// Decimals beyond these make no other `f32`, unless the number is all but 0.
+const MOST_DECIMALS: usize = 12;
 
 /// Euler angles in radians: the rotation `Rx · Ry · Rz` of column vectors, so Z turns first and X
 /// last (assignment, "Sliders").
@@ -35,6 +37,19 @@ impl Euler {
     /// Degrees about X, Y and Z.
     pub fn degrees(self) -> Vec3 {
         self.radians * (180.0 / std::f32::consts::PI)
+    }
+
+    /// Degrees about X, Y and Z, of each angle the number with the fewest digits that is read as the same angle; the nearest
+    /// one where rounding lets no number of degrees be read as it.
+    pub fn shortest_degrees(self) -> Vec3 {
+        Vec3::from(self.radians.to_array().map(|radians| {
+            let degrees = f64::from(radians).to_degrees();
+            let read = |degrees: f32| Self::from_degrees(Vec3::splat(degrees)).radians.x;
+            (0..MOST_DECIMALS)
+                .filter_map(|decimals| format!("{degrees:.decimals$}").parse().ok())
+                .find(|&short| read(short) == radians)
+                .unwrap_or(degrees as f32)
+        }))
     }
 
     /// Degrees wrapped into 0..360, as the panel shows them.
@@ -246,6 +261,14 @@ mod tests {
     fn a_rotation_that_is_not_finite_changes_no_angle() {
         let shown = Euler::from_degrees(Vec3::ONE);
         assert_eq!(Euler::nearest(Mat3::NAN, shown), shown);
+    }
+
+    #[test]
+    fn degrees_that_were_typed_are_told_as_they_were() {
+        let typed = Vec3::new(-50.0, 22.5, 143.91);
+        let angles = Euler::from_degrees(typed);
+        assert_ne!(angles.degrees(), typed);
+        assert_eq!(angles.shortest_degrees(), typed);
     }
 
     #[test]

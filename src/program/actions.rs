@@ -44,7 +44,7 @@ impl Program {
                 }
                 Action::View(view) => {
                     // The look that pictures are compared in is for that time only.
-                    if let View::SetLook(look) = view
+                    if let View::ChooseLook(look) = view
                         && self.comparison.is_none()
                     {
                         self.ui.look_of_new = Some(look);

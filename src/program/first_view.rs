@@ -31,13 +31,12 @@ const LEAST_SHARE: f32 = 0.15;
 const NEUTRAL: usize = 30;
 
 impl Program {
-    /// View of a document without shapes. A ground of the look's own stands for the axes, which would
-    /// cross what stands on it.
+    /// View of a document without shapes.
     pub(super) fn view_without_scene(&self) -> ViewSettings {
         let look = self.ui.look_of_new.unwrap_or(Look::Studio);
         ViewSettings {
             look,
-            axis: look == Look::Course,
+            axis: look.has_axes(),
             camera: Camera {
                 phi: ABOVE,
                 ..Camera::default()

@@ -37,6 +37,15 @@ impl Default for ViewSettings {
 const AGAINST_THE_LIGHT: f32 = 0.5;
 
 impl ViewSettings {
+    /// Gives the view another look with the axes as that has them, unless they were shown or hidden otherwise than the look
+    /// before has them.
+    pub fn choose_look(&mut self, look: Look) {
+        if self.axis == self.look.has_axes() {
+            self.axis = look.has_axes();
+        }
+        self.look = look;
+    }
+
     /// Whether a ground is seen, which hides what is below it.
     pub fn has_ground(&self) -> bool {
         self.grid && self.look == Look::Studio
@@ -61,6 +70,14 @@ pub enum Look {
     /// The Virtual Mannequin's: surfaces in the colors of their normals, a checkered floor, and
     /// bones as red lines over everything.
     Mannequin,
+}
+
+impl Look {
+    /// Whether a new view of it shows the axes. A ground of the look's own stands for them, which would cross what stands on
+    /// it.
+    pub fn has_axes(self) -> bool {
+        self == Self::Course
+    }
 }
 
 /// Normals that a surface is shaded with.

@@ -54,7 +54,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, look: Look, actions: &mut Vec<Action
                 let button = named(ui.add(button), name);
                 let tip = commands::tooltip(ui.ctx(), Command::SetLook(own));
                 if button.on_hover_text(tip).clicked() {
-                    actions.push(Action::View(View::SetLook(own)));
+                    actions.push(Action::View(View::ChooseLook(own)));
                 }
             }
         });

@@ -57,12 +57,28 @@ fn look_shading_and_axis_follow_their_menu_items() {
     editor.choose(&["View", "Look", "Studio"]);
     editor.choose(&["View", "Shading", "Smooth"]);
     editor.choose(&["View", "Ground Grid"]);
-    editor.choose(&["View", "Toggle Axis"]);
     let view = editor.session().view();
     assert_eq!(view.look, Look::Studio);
     assert_eq!(view.shading, Shading::Smooth);
     assert!(!view.grid);
-    assert!(!view.axis);
+    let axis = view.axis;
+    editor.choose(&["View", "Toggle Axis"]);
+    assert_eq!(editor.session().view().axis, !axis);
+}
+
+#[test]
+fn a_look_has_the_axes_that_its_new_views_have_unless_they_were_shown_or_hidden() {
+    let mut editor = Editor::new();
+    let has_axes = |editor: &mut Editor, look: &str| {
+        editor.choose(&["View", "Look", look]);
+        editor.session().view().axis
+    };
+    assert!(!has_axes(&mut editor, "Studio"));
+    assert!(!has_axes(&mut editor, "Mannequin"));
+    assert!(has_axes(&mut editor, "Course"));
+    assert!(!has_axes(&mut editor, "Studio"));
+    editor.choose(&["View", "Toggle Axis"]);
+    assert!(has_axes(&mut editor, "Mannequin"));
 }
 
 #[test]

@@ -248,7 +248,7 @@ impl Search<'_> {
                 let index = joint.joint_index;
                 let rotation = without_noise(pose.rotation(index), parts);
                 pose.set_joint_transform(index, rotation);
-                joint.degrees = rotation.degrees().to_array();
+                joint.degrees = rotation.shortest_degrees().to_array();
             }
             let error = largest_error(self.model, &pose, self.order, self.theirs);
             (error <= enough).then_some((pose, joints, error))
@@ -294,8 +294,8 @@ impl Search<'_> {
                 joints.push(TurnedJoint {
                     joint: model.skeleton().joints()[joint].name.clone(),
                     joint_index: joint,
-                    degrees: plain.rotation(joint).degrees().to_array(),
-                    expected: before.degrees().to_array(),
+                    degrees: plain.rotation(joint).shortest_degrees().to_array(),
+                    expected: before.shortest_degrees().to_array(),
                     turned_by: if is_turned { turned_by } else { 0.0 },
                     moved: is_moved.then(|| moved.as_vec3().to_array()),
                     is_ambiguous: is_shared(joint),

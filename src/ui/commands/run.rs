@@ -266,7 +266,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
         Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
         Command::ToggleBones => return Some(Action::View(View::SetBones(!view.bones))),
-        Command::SetLook(look) => return Some(Action::View(View::SetLook(look))),
+        Command::SetLook(look) => return Some(Action::View(View::ChooseLook(look))),
         Command::SetShading(shading) => return Some(Action::View(View::SetShading(shading))),
     }
     None
