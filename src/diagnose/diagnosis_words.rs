@@ -188,7 +188,10 @@ impl Diagnosis {
         let as_in_file = "it is the mesh at rest as the character's file has it, not skinned";
         found.extend(self.is_as_in_file.then(|| as_in_file.to_owned()));
         found.extend(self.findings.iter().map(ToString::to_string));
-        found.extend(self.coarse.map(|coarse| coarse.to_string()));
+        found.extend(self.coarse.map(|coarse| match self.other_pose {
+            Some(_) => coarse.beside_mistakes(),
+            None => coarse.to_string(),
+        }));
         if let Some(same) = self.faces.same {
             let few = match same {
                 0 => "none of its triangles is".to_owned(),
@@ -294,17 +297,19 @@ impl Diagnosis {
             Some(NearlyRight::ButForFewWith(_)) | None => "unexplained",
             Some(_) => "nearly right",
         };
-        match (&self.other_pose, found.next()) {
-            (Some(other), _) => self.fmt_other_pose(f, other)?,
-            (None, Some(first)) => write!(
+        if let Some(other) = &self.other_pose {
+            self.fmt_other_pose(f, other)?;
+        } else if let Some(first) = found.next() {
+            write!(
                 f,
                 "{verdict}: {first}\n  away     {error}, from the exact result in this pose"
-            )?,
-            (None, None) => write!(
+            )?;
+        } else {
+            write!(
                 f,
                 "unexplained: {error} away from the exact result in this pose, and no known mistake \
                  gives this mesh, nor do two of those that are tried together"
-            )?,
+            )?;
         }
         for found in found {
             write!(f, "\n  found    {found}")?;

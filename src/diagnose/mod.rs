@@ -270,6 +270,17 @@ async fn diagnose_vertices(
         if let Some(limit) = limit.filter(|_| !may_be_right) {
             let rounded = search.of_coordinates_within(limit, None);
             (_, explanations) = sought(&rounded, &rounded, &findings, limit, pace).await;
+            if explanations.iter().all(|it| it.made.len() > 1) {
+                let lacking = not_turned::find(&rounded, order, pace).await;
+                let least = lacking.iter().min_by(|a, b| a.error.total_cmp(&b.error));
+                if let Some(lacking) = least {
+                    let other = OtherPose::without(model, pose, lacking, size);
+                    return Ok(Diagnosis {
+                        coarse,
+                        ..findings.of_other_pose(other)
+                    });
+                }
+            }
         }
         if explanations.is_empty() && !may_be_right {
             let cut_off = sought_cut_off(&search, &findings, &written, pace).await;

@@ -90,10 +90,11 @@ impl Written {
     }
 }
 
-/// Half a unit of the last digit of the largest coordinate, as far as the numbers show.
+/// Half a unit of the last digit of the largest coordinate, as far as the numbers show. One that is a power of ten, as what
+/// lies just below is rounded to, shows no digit.
 fn half_step<'a>(points: impl Iterator<Item = &'a Vec3>) -> f64 {
     let (mut most_digits, mut most_decimals) = (0, 0);
-    let mut exponent = i32::MIN;
+    let (mut exponent, mut of_others) = (i32::MIN, i32::MIN);
     for coordinate in points.flat_map(|point| point.to_array()) {
         if coordinate == 0.0 || !coordinate.is_finite() {
             continue;
@@ -102,6 +103,10 @@ fn half_step<'a>(points: impl Iterator<Item = &'a Vec3>) -> f64 {
         most_digits = most_digits.max(digits);
         most_decimals = most_decimals.max(digits as i32 - 1 - own);
         exponent = exponent.max(own);
+        let is_power = digits == 1 && f64::from(coordinate.abs()) * 10_f64.powi(-own) < 1.5;
+        if !is_power {
+            of_others = of_others.max(own);
+        }
     }
     if (most_digits, most_decimals) == (1, 1) {
         // With one digit after the point, numbers from one on may look as if they had none.
@@ -110,6 +115,10 @@ fn half_step<'a>(points: impl Iterator<Item = &'a Vec3>) -> f64 {
     if most_digits == 0 || most_digits >= MOST_DIGITS {
         return 0.0;
     }
+    let exponent = match of_others {
+        i32::MIN => exponent,
+        of_others => of_others,
+    };
     0.5 * 10_f64.powi(exponent + 1 - most_digits as i32)
 }
 
@@ -207,6 +216,9 @@ mod tests {
             (vec![Vec3::new(1.2346, 0.0012, -0.5)], 0.5e-4),
             (vec![Vec3::new(180.1, 20.05, 3.0)], 0.5e-1),
             (vec![Vec3::new(1.0, 0.9, -0.3)], 0.5e-1),
+            (vec![Vec3::new(1.0, 0.97, -0.31)], 0.5e-2),
+            (vec![Vec3::new(1.1, 0.97, -0.31)], 0.5e-1),
+            (vec![Vec3::new(100.0, 10.0, -1.0)], 0.5e2),
             (vec![Vec3::ZERO], 0.0),
             (vec![Vec3::splat(1.0 / 3.0), Vec3::splat(0.1 + 0.2)], 0.5e-9),
         ] {

@@ -114,7 +114,7 @@ impl Lines<'_> {
             given.extend(explained.map(|explanation| (explanation, other)));
         }
         if let (true, Some(other)) = (given.is_empty(), fitted.first()) {
-            let other = self.within_rounding(*other)?;
+            let other = self.within_rounding(*other, pace).await?;
             let explanation = self.explained(other, &ONE_WRONG_OFFSET, pace).await?;
             given.push((explanation, other));
         }
@@ -174,10 +174,11 @@ impl Lines<'_> {
     /// The offset from a fitted one on at which no vertex is farther off than meshes are that agree, sought by moving it as
     /// much as the vertex needs that is farthest off, again and again (the relaxation method for inequalities, S. Agmon,
     /// Canadian Journal of Mathematics 6, 1954).
-    fn within_rounding(&self, fitted: OtherJoint) -> Option<OtherJoint> {
+    async fn within_rounding(&self, fitted: OtherJoint, pace: &Pace) -> Option<OtherJoint> {
         let search = self.0.search;
         let all: Vec<usize> = (0..search.theirs.len()).collect();
         let moved = self.moved(fitted, &all);
+        pace.after(4 * all.len()).await;
         let mut by = DVec3::ZERO;
         for _ in 0..STEPS_OF_RELAXATION {
             let lefts = moved.iter().map(|one| (one, one.left - one.along * by));
@@ -188,6 +189,7 @@ impl Lines<'_> {
             }
             let towards = worst.along.transpose() * left.normalize_or_zero();
             by += towards * (excess / towards.length_squared());
+            pace.after(moved.len()).await;
         }
         by.is_finite().then(|| OtherJoint {
             offset: fitted.offset + by,

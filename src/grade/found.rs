@@ -53,6 +53,9 @@ pub(super) fn nearly(found: &Diagnosis) -> Vec<&'static str> {
         Some(NearlyRight::Placed) => vec![MOVED_AS_A_WHOLE],
         Some(NearlyRight::ButForFewWith(mistake)) => vec![mistake.id, RIGHT_BUT_FOR_FEW],
         Some(NearlyRight::ButForFew) => vec![RIGHT_BUT_FOR_FEW],
+        None if found.other_pose.is_some() && found.coarse.is_some() => {
+            return vec![RIGHT_BUT_FOR_DIGITS];
+        }
         None => return Vec::new(),
     };
     nearly.extend(found.faces.mistakes().map(|mistake| mistake.id));

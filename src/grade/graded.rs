@@ -59,7 +59,7 @@ pub struct Graded {
     /// [`RIGHT_BUT_FOR_FEW`](crate::io::RIGHT_BUT_FOR_FEW),
     /// [`RIGHT_BUT_FOR_DIGITS`](crate::io::RIGHT_BUT_FOR_DIGITS),
     /// [`RIGHT_BUT_FOR_LITTLE`](crate::io::RIGHT_BUT_FOR_LITTLE) or
-    /// [`MOVED_AS_A_WHOLE`](crate::diagnose::MOVED_AS_A_WHOLE).
+    /// [`MOVED_AS_A_WHOLE`](crate::diagnose::MOVED_AS_A_WHOLE); of another pose whether its numbers are too coarse as well.
     pub nearly: Vec<String>,
     /// Mistakes of the causes that by themselves would move no vertex by more than 0.1 %, by name.
     pub slight: Vec<String>,

@@ -27,7 +27,10 @@ pub(super) fn points(
             left_by(&graded.nearly, test, graded, rubric)
         }
         Outcome::Unexplained => of_all(test, by_vertices(test, graded, rubric)),
-        Outcome::OtherPose => left_by(&[of_other_pose(graded).to_owned()], test, graded, rubric),
+        Outcome::OtherPose => {
+            let ids = [&[of_other_pose(graded).to_owned()], &*graded.nearly].concat();
+            left_by(&ids, test, graded, rubric)
+        }
         Outcome::Explained => counted(test, graded, rubric).map_or_else(
             || of_all(test, 0.0),
             |ids| left_by(ids, test, graded, rubric),

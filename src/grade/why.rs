@@ -42,7 +42,13 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
                     "a result that is not the one of the test's own character in its pose leaves {share} of every section"
                 )]
             }
-            nearly => vec![why_mistake(nearly, test, graded, rubric)],
+            nearly => {
+                let joints = [why_mistake(nearly, test, graded, rubric)];
+                joints
+                    .into_iter()
+                    .chain(of_mistakes(&graded.nearly))
+                    .collect()
+            }
         },
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
             vec!["there is nothing to give points for".to_owned()]

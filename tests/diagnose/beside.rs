@@ -178,7 +178,13 @@ fn joints_that_are_not_turned_are_another_pose_where_no_other_mistake_is_made() 
     let figure = Figure::builtin("adult", turned(SEED));
     let posed = Figure::builtin("adult", without(&[KNEE]));
     let found = figure.diagnose(&written(&with(&[]).skin(&posed), 2));
-    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    let other = found.other_pose.as_ref().expect("another pose");
+    let turned: Vec<String> = other.joints.iter().map(ToString::to_string).collect();
+    let knee = "Left knee (0°, 0°, 0°) instead of ";
+    assert!(turned.len() == 1 && turned[0].starts_with(knee), "{found}");
+    assert_eq!(found.coarse.map(|coarse| coarse.rounded_to), Some(0.01));
+    let told = "\n  found    its numbers are rounded to 0.01, which may hide smaller mistakes: write at least ";
+    assert!(found.to_string().contains(told), "{found}");
 }
 
 #[test]

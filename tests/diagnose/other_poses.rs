@@ -155,6 +155,23 @@ fn a_joint_that_is_turned_by_a_hair_is_told_alone_and_with_digits_that_show_it()
 }
 
 #[test]
+fn a_joint_at_rest_is_told_without_what_three_digits_add_to_its_angles() {
+    for joint in [6, 10, 14, 17] {
+        let posed = |of: usize| match of == joint {
+            true => Vec3::ZERO,
+            false => turned(88)(of),
+        };
+        let expected = Figure::builtin("adult", turned(88)).pose();
+        let figure = Figure::builtin("adult", posed);
+        let found = figure.diagnose_in(&expected, &written(&RIGHT.skin(&figure), 3));
+        let other = found.other_pose.expect("another pose");
+        let told: Vec<usize> = other.joints.iter().map(|it| it.joint_index).collect();
+        assert_eq!(told, [joint]);
+        assert_eq!(other.joints[0].degrees, [0.0; 3]);
+    }
+}
+
+#[test]
 fn angles_that_a_mesh_shows_are_without_what_single_precision_adds_to_them() {
     let mut figure = Figure::builtin("adult", turned(87));
     let mut joints = figure.character.skeleton().joints().iter();

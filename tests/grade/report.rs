@@ -170,6 +170,32 @@ fn another_pose_counts_as_a_slip_in_joints_only_if_more_than_half_of_it_is_as_as
 }
 
 #[test]
+fn a_joint_that_is_not_turned_in_a_file_with_two_digits_counts_as_that_and_as_too_few_digits() {
+    let class = Class::new(&["adult"]);
+    let (test, figure) = &class.tests[0];
+    let asked = figure.degrees.clone();
+    let knee = 10;
+    let posed = Figure::builtin("adult", |joint| match joint == knee {
+        true => Vec3::ZERO,
+        false => asked[joint],
+    });
+    let text = obj(&with(&[]).skin(&posed), figure, |number| {
+        format!("{number:.2}")
+    });
+    class.write(&format!("class/ann/{test}.obj"), text);
+    let report = class.graded();
+    let found = result(&report, "ann", "adult-1");
+    assert_eq!(found["hint"], "right but for 1 joint", "{found}");
+    let points = json!({"3.2": 4.0, "3.4": 3.0, "4.2": 9.0});
+    assert_eq!(found["points"], points, "{found}");
+    let why = json!([
+        "right-but-for-joints leaves 50 % of 3.4",
+        "right-but-for-digits leaves 90 % of 4.2"
+    ]);
+    assert_eq!(found["why"], why, "{found}");
+}
+
+#[test]
 fn the_pose_of_another_character_s_test_is_told_and_shows_none_of_the_sections() {
     let mut class = Class::new(&["adult", "dog"]);
     // Both have joints of these names.

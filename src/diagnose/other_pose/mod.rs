@@ -8,6 +8,7 @@ mod solve;
 use super::diagnosis::ToldMistake;
 use super::diagnosis_words::{of_size, vector};
 use super::model::Model;
+use super::not_turned::NotTurned;
 use super::skin::Skinner;
 use super::{Formula, VertexOrder, as_good};
 use crate::character::Pose;
@@ -29,7 +30,7 @@ const TOLD_APART_OF_SMALL: f64 = 0.01;
 /// Parts of a degree that a mesh tells, …
 const DEGREES_TOLD: f64 = 1e3;
 /// … and fewer, of which angles are multiples where that is as good.
-const FEWER_TOLD: [f64; 2] = [1e1, 1e2];
+const FEWER_TOLD: [f64; 3] = [1.0, 1e1, 1e2];
 /// Digits after the point with which angles are told: more than the fewest only where it takes them to tell two apart.
 const DIGITS: RangeInclusive<i32> = 1..=3;
 /// Angle up to which a joint is as good as turned as expected, such as by angles that are cut to whole degrees, in
@@ -139,6 +140,35 @@ impl OtherPose {
             Some(mistake) => Some(format!("but for {}", mistake.id)),
             None if self.error > tolerance => Some(format!("but for {}", of_size(self.error))),
             None => None,
+        }
+    }
+
+    /// The pose `expected` without the rotation of one joint, of a mesh of this size.
+    pub(super) fn without(
+        model: &Model<'_>,
+        expected: &Pose,
+        lacking: &NotTurned,
+        size: f64,
+    ) -> Self {
+        let joint = lacking.joint;
+        let before = expected.rotation(joint);
+        let mut pose = expected.clone();
+        pose.set_joint_transform(joint, Euler::ZERO);
+        let joints = vec![TurnedJoint {
+            joint: model.skeleton().joints()[joint].name.clone(),
+            joint_index: joint,
+            degrees: [0.0; 3],
+            expected: before.shortest_degrees().to_array(),
+            turned_by: degrees_between(before.to_dmat3(), DMat3::IDENTITY),
+            moved: None,
+            is_ambiguous: false,
+        }];
+        Self {
+            pose,
+            as_expected: share_of_expected(model, expected, &joints),
+            joints,
+            error: lacking.error / size,
+            besides: None,
         }
     }
 
