@@ -45,7 +45,7 @@ pub(super) static VERTEX_MISSING: Mistake = Mistake {
 };
 
 /// A mistake in which vertices are posed, which all of them show together.
-pub(super) static VERTICES_NOT_REACHED: Mistake = Mistake {
+pub static VERTICES_NOT_REACHED: Mistake = Mistake {
     id: "vertices-not-reached",
     meaning: "the loop over the vertices does not come to all of them, so that the others stay where they were",
     section: SSD,

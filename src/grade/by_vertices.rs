@@ -22,13 +22,19 @@ pub(super) fn by_vertices(test: &TestData, graded: &Graded, rubric: &RubricData)
     }
     let [few, little] =
         [RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE].map(|id| share_left(id, graded, rubric));
-    let all = (graded.near - NEARLY_ALL.start) / (NEARLY_ALL.end - NEARLY_ALL.start);
-    let by_few = lerp(unexplained * NEARLY_ALL.start, few, all);
+    let by_few = by_nearly_all(unexplained * NEARLY_ALL.start, few, graded.near);
     let off = graded.error.unwrap_or(f64::INFINITY) / UNSEEN;
     let by_little = lerp(little, share, off.ln() / FAR_OFF.ln());
-    let nearly_all = (all > 0.0).then_some(by_few);
+    let nearly_all = (graded.near > NEARLY_ALL.start).then_some(by_few);
     let near_all = (off < FAR_OFF).then_some(by_little);
     nearly_all.into_iter().chain(near_all).fold(share, f64::max)
+}
+
+/// The share of a mesh whose vertices count for so much: the nearer it is to one that is right but for few, the more of what
+/// that leaves it has, and no vertex more or less makes much of a difference.
+pub(super) fn by_nearly_all(otherwise: f64, few: f64, near: f64) -> f64 {
+    let all = (near - NEARLY_ALL.start) / (NEARLY_ALL.end - NEARLY_ALL.start);
+    lerp(otherwise, few, all)
 }
 
 /// What lies between `from` and `to`, at 0 and below and at 1 and above.

@@ -1,9 +1,10 @@
 //! What mistakes leave of the points of their sections.
 
+use super::by_vertices::by_nearly_all;
 use super::graded::{Graded, Outcome};
 use crate::diagnose::{
     MESH_MIRRORED, MOVED_AS_A_WHOLE, PICTURE_TURNED, POSE_NOT_APPLIED, TRIANGLES_DIFFER,
-    TRIANGLES_TURNED, UNSEEN, VERTEX_MISSING, VERTEX_TOO_MANY,
+    TRIANGLES_TURNED, UNSEEN, VERTEX_MISSING, VERTEX_TOO_MANY, VERTICES_NOT_REACHED,
 };
 use crate::io::{
     OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE, RubricData,
@@ -75,7 +76,15 @@ pub(super) fn share_and_reason(
     }
     let mut by_little = LEFT_BY_LITTLE.iter();
     let known = by_little.find(|(known, _)| *known == id);
-    let usual = known.map_or(rubric.mistake.0, |(_, share)| *share);
+    let usual = match known {
+        Some((_, share)) => *share,
+        // Those that a loop does not come to may be few.
+        None if id == VERTICES_NOT_REACHED.id => {
+            let few = share_left(RIGHT_BUT_FOR_FEW, graded, rubric);
+            by_nearly_all(rubric.mistake.0, few, graded.near).max(rubric.mistake.0)
+        }
+        None => rubric.mistake.0,
+    };
     let unseen = Unseen::of(id, graded).filter(|_| id != RIGHT_BUT_FOR_LITTLE);
     let more = unseen.map(|unseen| {
         let share = share_left(RIGHT_BUT_FOR_LITTLE, graded, rubric);
@@ -118,6 +127,20 @@ mod tests {
         let name = "weights-normalized".to_owned().try_into().unwrap();
         rubric.mistakes.insert(name, Share(0.7));
         assert_eq!(given(TWO, &normalized(0.0004), &rubric), [6.0, 7.0]);
+    }
+
+    #[test]
+    fn a_loop_that_leaves_few_vertices_costs_the_less_the_fewer_they_are() {
+        let rubric = RubricData::default();
+        let not_reached = |near: f64| Graded {
+            near,
+            ..explained(&[&["vertices-not-reached"]])
+        };
+        for (near, left) in [(0.99, 9.0), (0.945, 7.0), (0.9, 5.0), (0.3, 5.0)] {
+            let given = given(TWO, &not_reached(near), &rubric);
+            let (others, ssd) = (given[0], given[1]);
+            assert!(others == 6.0 && (ssd - left).abs() < 1e-9, "{near}: {ssd}");
+        }
     }
 
     #[test]
