@@ -271,6 +271,7 @@ async fn diagnose_vertices(
         if let Some(limit) = limit.filter(|_| !may_be_right) {
             let rounded = search.of_coordinates_within(limit, None);
             (_, explanations) = sought(&rounded, &rounded, &findings, limit, pace).await;
+            // As where digits tell more, this is simpler than two mistakes.
             if explanations.iter().all(|it| it.made.len() > 1) {
                 let lacking = not_turned::find(&rounded, order, pace).await;
                 let least = lacking.iter().min_by(|a, b| a.error.total_cmp(&b.error));

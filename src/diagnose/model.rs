@@ -81,6 +81,18 @@ impl<'a> Model<'a> {
         line.any(|joint| joint == above)
     }
 
+    /// For each joint, whether it or one below it moves vertices.
+    pub(super) fn moving_or_below(&self) -> Vec<bool> {
+        let joints = self.skeleton().joints();
+        let mut below = self.moves.clone();
+        for &joint in self.by_depth.iter().rev() {
+            if let Some(parent) = joints[joint].parent {
+                below[parent] |= below[joint];
+            }
+        }
+        below
+    }
+
     /// Joint that each index means.
     pub(super) fn joints_by(&self, order: JointsBy) -> Vec<usize> {
         match order {

@@ -2,7 +2,6 @@
 
 use super::formula::{Formula, VertexOrder};
 use super::found_otherwise::JOINT_NOT_TURNED;
-use super::other_pose::moving_or_below;
 use super::search::{Explanation, Search};
 use super::skin::Skinner;
 use super::ways::{Made, formula};
@@ -50,7 +49,7 @@ pub(super) struct Lacking<'a> {
 impl<'a> Lacking<'a> {
     /// `None` where the pose has too few or too many joints for that.
     pub(super) fn new(search: &'a Search<'a>) -> Option<Self> {
-        let moves = moving_or_below(search.model);
+        let moves = search.model.moving_or_below();
         let is_in_pose = |joint: &usize| moves[*joint] && search.pose.is_changed(*joint);
         let in_pose = (0..moves.len()).filter(is_in_pose).count();
         let joints = turned(search.pose, moves.len()).filter(|&joint| moves[joint]);
@@ -104,7 +103,7 @@ fn turned(pose: &Pose, joints: usize) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// A pose in which one joint is not turned.
-fn without(pose: &Pose, joint: usize) -> Pose {
+pub(super) fn without(pose: &Pose, joint: usize) -> Pose {
     let mut pose = pose.clone();
     pose.set_joint_transform(joint, Euler::default());
     pose

@@ -98,7 +98,8 @@ impl Lines<'_> {
         Some(explanation)
     }
 
-    /// The offset of `joint` that gives the mesh, if one does: of those that do the one that changes the fewest numbers.
+    /// The offset of `joint` that gives the mesh, if one does: of those that do the one that changes the fewest numbers, and of
+    /// those the one that changes them least.
     async fn wrong_offset(&self, joint: usize, size: f64, pace: &Pace) -> Option<Found> {
         let line = self.line(joint);
         let off = self.off_by(line)?;
@@ -121,7 +122,7 @@ impl Lines<'_> {
         let errors = given.iter().map(|(explanation, _)| explanation.error);
         let enough = as_good(errors.fold(f64::INFINITY, f64::min), size);
         let good = given.into_iter().filter(|(one, _)| one.error <= enough);
-        let best = good.min_by_key(|(_, other)| self.changed_numbers(*other));
+        let best = good.min_by_key(|(_, other)| self.changes(*other));
         best.map(|(explanation, other)| Found {
             explanation,
             other,
@@ -197,11 +198,13 @@ impl Lines<'_> {
         })
     }
 
-    /// How many numbers of an offset are not those of the file.
-    fn changed_numbers(&self, other: OtherJoint) -> usize {
+    /// How many numbers of an offset are not those of the file, and by how much together, in thousandths: less is noise of
+    /// the fit.
+    fn changes(&self, other: OtherJoint) -> (usize, u64) {
         let by = other.offset - self.line(other.joint).offset;
         let numbers = by.to_array();
-        numbers.iter().filter(|by| rounded(**by) != 0.0).count()
+        let changed = numbers.iter().filter(|by| rounded(**by) != 0.0).count();
+        (changed, (by.length() * 1e3).round() as u64)
     }
 
     /// How many numbers of an offset are neither those of the file nor what a slip makes of them: 0, the same with the other

@@ -3,7 +3,9 @@
 use super::graded::Outcome;
 use super::report::NEARLY;
 use super::rubric::MOSTLY_POSED;
-use crate::diagnose::{Diagnosis, MOVED_AS_A_WHOLE, NearlyRight, Verdict, within_everywhere};
+use crate::diagnose::{
+    Diagnosis, MOVED_AS_A_WHOLE, NearlyRight, OtherPose, Verdict, within_everywhere,
+};
 use crate::io::{RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE};
 
 pub(super) fn outcome(verdict: Verdict) -> Outcome {
@@ -15,10 +17,15 @@ pub(super) fn outcome(verdict: Verdict) -> Outcome {
     }
 }
 
+/// The other pose of a mesh, if most of it is as asked.
+pub(super) fn mostly_posed(found: &Diagnosis) -> Option<&OtherPose> {
+    let other = found.other_pose.as_ref();
+    other.filter(|other| other.as_expected > MOSTLY_POSED)
+}
+
 /// What is known of a mesh that nothing explains whole, in a few words.
 pub(super) fn hint(found: &Diagnosis) -> Option<String> {
-    let mostly = found.other_pose.as_ref();
-    if let Some(other) = mostly.filter(|other| other.as_expected > MOSTLY_POSED) {
+    if let Some(other) = mostly_posed(found) {
         return Some(match other.joints.len() {
             1 => "right but for 1 joint".to_owned(),
             joints => format!("right but for {joints} joints"),
@@ -53,7 +60,7 @@ pub(super) fn nearly(found: &Diagnosis) -> Vec<&'static str> {
         Some(NearlyRight::Placed) => vec![MOVED_AS_A_WHOLE],
         Some(NearlyRight::ButForFewWith(mistake)) => vec![mistake.id, RIGHT_BUT_FOR_FEW],
         Some(NearlyRight::ButForFew) => vec![RIGHT_BUT_FOR_FEW],
-        None if found.other_pose.is_some() && found.coarse.is_some() => {
+        None if mostly_posed(found).is_some() && found.coarse.is_some() => {
             return vec![RIGHT_BUT_FOR_DIGITS];
         }
         None => return Vec::new(),

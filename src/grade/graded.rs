@@ -190,6 +190,7 @@ impl Graded {
             outcome: Outcome::OtherPose,
             text,
             hint: Some(hint),
+            nearly: Vec::new(),
             posed: 0.0,
             ..self
         }

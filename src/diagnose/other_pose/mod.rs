@@ -8,7 +8,7 @@ mod solve;
 use super::diagnosis::ToldMistake;
 use super::diagnosis_words::{of_size, vector};
 use super::model::Model;
-use super::not_turned::NotTurned;
+use super::not_turned::{self, NotTurned};
 use super::skin::Skinner;
 use super::{Formula, VertexOrder, as_good};
 use crate::character::Pose;
@@ -18,7 +18,6 @@ use fewest::{fewest, with_small_turns_put_back};
 use fit::{Fit, Posed};
 use glam::{DMat3, DVec3, Vec3};
 use serde::Serialize;
-pub(super) use shared::moving_or_below;
 use shared::{SharedTurn, plainest};
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -152,8 +151,6 @@ impl OtherPose {
     ) -> Self {
         let joint = lacking.joint;
         let before = expected.rotation(joint);
-        let mut pose = expected.clone();
-        pose.set_joint_transform(joint, Euler::ZERO);
         let joints = vec![TurnedJoint {
             joint: model.skeleton().joints()[joint].name.clone(),
             joint_index: joint,
@@ -164,7 +161,7 @@ impl OtherPose {
             is_ambiguous: false,
         }];
         Self {
-            pose,
+            pose: not_turned::without(expected, joint),
             as_expected: share_of_expected(model, expected, &joints),
             joints,
             error: lacking.error / size,
@@ -340,7 +337,7 @@ impl Search<'_> {
 /// moves vertices and is turned or moved in either counts whole where it is as expected, half where it is turned
 /// otherwise, and not at all where it is at rest in one of both.
 fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> f64 {
-    let moves = moving_or_below(model);
+    let moves = model.moving_or_below();
     let (mut all, mut counted) = (0.0, 0.0);
     for joint in (0..moves.len()).filter(|&joint| moves[joint]) {
         let is_expected = expected.is_changed(joint);

@@ -25,7 +25,7 @@ impl SharedTurn {
     /// All of a model, from the root on. Places within `tolerance` are the same.
     pub(super) fn all(model: &Model, tolerance: f64) -> Vec<Self> {
         let joints = model.skeleton().joints();
-        let (own, below) = (&model.moves, moving_or_below(model));
+        let (own, below) = (&model.moves, model.moving_or_below());
         let of_parent = model.by_depth.iter().filter_map(|&parent| {
             let children = model.skeleton().children(parent).iter().copied();
             let children: Vec<usize> = children.filter(|&child| below[child]).collect();
@@ -95,16 +95,4 @@ fn from_plain(posed: &Posed, expected: &Posed) -> u32 {
         }
     });
     of_joint.sum()
-}
-
-/// For each joint, whether it or one below it moves vertices.
-pub(in crate::diagnose) fn moving_or_below(model: &Model) -> Vec<bool> {
-    let joints = model.skeleton().joints();
-    let mut below = model.moves.clone();
-    for &joint in model.by_depth.iter().rev() {
-        if let Some(parent) = joints[joint].parent {
-            below[parent] |= below[joint];
-        }
-    }
-    below
 }

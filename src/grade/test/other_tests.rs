@@ -1,9 +1,8 @@
 //! What a file has to do with the other tests: it may be a result of one of them, or keep something of it.
 
-use super::super::found::explanations;
+use super::super::found::{explanations, mostly_posed};
 use super::super::graded::OfTest;
 use super::super::kept::{self, Posed};
-use super::super::rubric::MOSTLY_POSED;
 use super::Test;
 use crate::character::Pose;
 use crate::diagnose::{Diagnosis, Verdict, diagnose, measure};
@@ -79,9 +78,7 @@ impl Test {
         found: &Diagnosis,
         theirs: &Mesh,
     ) -> Option<OfTest> {
-        let own = found.other_pose.as_ref();
-        let is_mostly_posed = own.is_some_and(|other| other.as_expected > MOSTLY_POSED);
-        if is_mostly_posed || found.nearly_right().is_some() {
+        if mostly_posed(found).is_some() || found.nearly_right().is_some() {
             return None;
         }
         let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
