@@ -3,7 +3,7 @@ use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::{Skinned, StickFigure};
 use crate::geometry::{Normals, SharedMesh, TriangleBoxes, enclosed_volume};
-use crate::math::{Aabb, Ray, TriangleHit};
+use crate::math::{Aabb, Ray, Transform, TriangleHit};
 use crate::revision::Revision;
 use glam::{Mat4, Vec3};
 use std::collections::{HashMap, HashSet};
@@ -188,7 +188,8 @@ impl EvaluatedGeometry {
 }
 
 /// See [`EvaluatedShape::sunk`]. What is scaled about its middle or about its lower end has another position, but has not
-/// been moved; what is turned about its feet has its middle elsewhere, but has not been moved either.
+/// been moved; what is turned about its feet has its middle elsewhere, but has not been moved either. Nor has what is scaled
+/// about the lower end that it had before it was turned.
 fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
     let bounds = match &geometry.curves {
         Some(_) => geometry.bounds(),
@@ -196,15 +197,22 @@ fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
     };
     let middle = bounds.center();
     let heights = |placement: &Placement| {
-        let world_from_model = placement.transform.world_from_model();
+        let transform = placement.transform;
+        let world_from_model = transform.world_from_model();
+        let upright = Transform {
+            rotation: shape.start.transform.rotation,
+            ..transform
+        };
         [
-            placement.transform.position.y,
+            transform.position.y,
             world_from_model.transform_point3(middle).y,
             bounds.transformed(world_from_model).min.y,
+            bounds.transformed(upright.world_from_model()).min.y,
         ]
     };
     let (before, now) = (heights(&shape.start), heights(&shape.placement));
-    let down = (0..3).map(|of| (before[of] - now[of]).max(0.0));
+    let down = before.into_iter().zip(now);
+    let down = down.map(|(before, now)| (before - now).max(0.0));
     // The middle of nothing is nowhere, and has not sunk either.
     down.fold(f32::INFINITY, f32::min)
 }
@@ -357,6 +365,10 @@ mod tests {
         // About its lower end, where the origin is in its middle.
         let round = within(Vec3::new(-0.2, -1.0, 0.0), Vec3::new(0.2, 1.0, 0.1));
         assert_eq!(sunk_by(&round, -0.5, 0.5, 0.0), 0.0);
+        // The same of what is turned before: a corner is lower then.
+        let cube = within(Vec3::NEG_ONE, Vec3::ONE);
+        assert_eq!(sunk_by(&cube, -0.5, 0.5, 45.0), 0.0);
+        assert_eq!(sunk_by(&cube, -0.5, 1.0, 45.0), 0.5);
     }
 
     #[test]
