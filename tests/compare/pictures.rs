@@ -111,11 +111,15 @@ fn one_of_two_things_moved_is_not_a_moved_picture() {
             Finding::Outline { .. },
             Finding::Shading {
                 outlines_agree: false,
+                outlines_cross: true,
                 ..
             }
         ]
     );
     assert!(inside_too, "{found:?}");
+    // What is drawn elsewhere may be seen from elsewhere, and have the right normals.
+    let told = ": another camera, shape, depth or shading (normals, light, material)";
+    assert!(found[1].to_string().ends_with(told), "{}", found[1]);
 }
 
 #[test]
@@ -933,13 +937,18 @@ fn a_thing_missing_does_not_hide_that_the_rest_is_shaded_otherwise() {
             share,
             area,
             outlines_agree: false,
+            outlines_cross: false,
         },
     ] = found[..]
     else {
         panic!("{found:?}");
     };
     assert!(share > 0.5 && area.y + area.height <= 90, "{share} {area}");
-    assert!(!found[1].to_string().contains("agree"), "{}", found[1]);
+    let text = found[1].to_string();
+    assert!(
+        !text.contains("agree") && !text.contains("camera"),
+        "{text}"
+    );
 }
 
 #[test]

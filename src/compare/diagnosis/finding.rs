@@ -144,6 +144,9 @@ pub enum Finding {
         /// Whether next to nothing is drawn in one picture alone. Otherwise that is a finding of its
         /// own.
         outlines_agree: bool,
+        /// Whether something is drawn in each picture alone, so that another camera may be all that
+        /// differs.
+        outlines_cross: bool,
     },
 }
 

@@ -129,15 +129,21 @@ impl fmt::Display for Finding {
                 share,
                 area,
                 outlines_agree,
+                outlines_cross,
             } => {
                 let (before, both) = if *outlines_agree {
                     ("the outlines agree, but ", "")
                 } else {
                     ("", " in both")
                 };
+                let camera = if *outlines_cross {
+                    "another camera, "
+                } else {
+                    ""
+                };
                 write!(
                     f,
-                    "{before}{:.1} % of what is drawn{both} has a different color, within {area}: shape, depth or shading (normals, light, material)",
+                    "{before}{:.1} % of what is drawn{both} has a different color, within {area}: {camera}shape, depth or shading (normals, light, material)",
                     100.0 * share,
                     area = area.in_words()
                 )

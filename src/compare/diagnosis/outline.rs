@@ -141,6 +141,7 @@ pub(super) async fn shading(evidence: &Evidence<'_>) -> Option<Finding> {
         share,
         area,
         outlines_agree,
+        outlines_cross: outline.is_some_and(|outline| outline.only.iter().all(|&only| only > 0)),
     })
 }
 
