@@ -11,8 +11,8 @@ use crate::disk::{self, as_given, files};
 use crate::geometry::{Mesh, Picture};
 use crate::io::image;
 use crate::io::{
-    Diagnostic, Files, builtin, extension, has_vertices_alone, import_any, is_character,
-    read_character_obj, read_posed_vertices,
+    Diagnostic, Files, builtin, extension, has_vertices, has_vertices_alone, import_any, in_utf8,
+    is_character, read_character_obj, read_posed_vertices,
 };
 use crate::scene::ShapeKind;
 use serde::Serialize;
@@ -146,8 +146,11 @@ pub(super) fn picture_or_mesh(path: &Path, bytes: &[u8]) -> Result<Picture, Diag
     if bytes.is_empty() || image::is_picture(bytes) {
         return image::decode(path, bytes);
     }
-    let message =
-        "expected a mesh (.obj) or a PNG, JPEG or GIF picture, found a file of another kind";
+    let found = match std::str::from_utf8(&in_utf8(bytes)).is_ok_and(has_vertices) {
+        true => "a mesh whose name does not end in .obj",
+        false => "a file of another kind",
+    };
+    let message = format!("expected a mesh (.obj) or a PNG, JPEG or GIF picture, found {found}");
     Err(Diagnostic::new(path, message))
 }
 

@@ -353,6 +353,9 @@ pub(super) fn cannot_open(
             "" => "no extension".to_owned(),
             "skel" | "attach" => format!(".{extension}: open the character's .obj file instead"),
             "json" => ".json: a pose is given to a character, by Load Pose or --pose".to_owned(),
+            "swp" => ".swp, which Import Curve reads".to_owned(),
+            "obj" | "dae" => format!(".{extension}, which Import Shape and Import Character read"),
+            "scene" => ".scene, which Open reads".to_owned(),
             other => format!(".{other}"),
         }
     );

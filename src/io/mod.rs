@@ -69,7 +69,7 @@ pub use missed_files::missed_files;
 pub use obj::{
     has_vertices_alone, read_character_obj, read_posed_obj, read_posed_vertices, take_faces_of,
 };
-pub use obj_face_reader::without_v;
+pub use obj_face_reader::{has_vertices, without_v};
 pub use pose_collection::pose_of_several;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;

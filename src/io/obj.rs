@@ -238,6 +238,11 @@ mod tests {
                  the v of v x y z",
             ),
             (
+                "0 0 0 1 1 1",
+                "a.obj:1:12: expected vertices (lines `v x y z`), found none: 1 line with three or more numbers begins \
+                 without the v of v x y z",
+            ),
+            (
                 "v 0 0 0\n",
                 "a.obj:1:8: expected faces (lines `f a b c`), found none",
             ),

@@ -273,18 +273,26 @@ impl FaceReader {
     }
 }
 
+/// Whether any line of an `.obj` file, by its text, is one of a vertex.
+pub fn has_vertices(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim_ascii_start);
+    lines.any(|line| line.starts_with("v ") || line.starts_with("v\t"))
+}
+
 /// How many lines of a file without vertices may be meant for some, in words; `None` if none may be.
 pub fn without_v(text: &str) -> Option<String> {
-    let has_three = |line: &&str| {
+    let numbers = |line: &str| {
         let words = line.split(|c: char| c.is_whitespace() || c == ',');
         let words = words.filter(|word| !word.is_empty() && *word != "V");
-        let numbers = words.take_while(|word| word.parse::<f64>().is_ok());
-        numbers.take(3).count() == 3
+        words.take_while(|word| word.parse::<f64>().is_ok()).count()
     };
-    let begin = match text.lines().filter(has_three).count() {
+    let counts = text.lines().map(numbers).filter(|&numbers| numbers >= 3);
+    let (lines, most) = counts.fold((0, 3), |(lines, most), count| (lines + 1, most.max(count)));
+    let or_more = if most > 3 { " or more" } else { "" };
+    let begin = match lines {
         0 => return None,
-        1 => "1 line with three numbers begins".to_owned(),
-        lines => format!("{lines} lines with three numbers begin"),
+        1 => format!("1 line with three{or_more} numbers begins"),
+        lines => format!("{lines} lines with three{or_more} numbers begin"),
     };
     Some(format!("{begin} without the v of v x y z"))
 }

@@ -42,6 +42,10 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
         "A transform stays with its shape as numbers in the panel. Export writes shapes as they stand.",
     ),
     (
+        &["paint", "vertex group"],
+        "Weights come with the file of a character: they are shown, by Colors, and not painted.",
+    ),
+    (
         &["parent", "unparent"],
         "Shapes have no parents: those that are selected together move together.",
     ),

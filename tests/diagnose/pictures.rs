@@ -271,14 +271,22 @@ fn specks_of_a_figure_tell_no_mistake_though_one_that_draws_nothing_there_would_
 fn a_file_that_is_neither_a_mesh_nor_a_picture_is_told_to_be_that() {
     let folder = folder(&Figure::builtin("adult", turned(46)), &[]);
     std::fs::write(folder.path().join("a.csv"), "words").unwrap();
-    let expected = "a.csv: expected a mesh (.obj) or a PNG, JPEG or GIF picture, found a file of another kind\n";
-    for line in [
-        "diagnose a.csv --character builtin:adult --pose pose.json",
-        "compare a.csv a.csv",
+    std::fs::write(folder.path().join("a.dat"), "# adult\nv 0 1 2\n").unwrap();
+    for (file, found) in [
+        ("a.csv", "a file of another kind"),
+        ("a.dat", "a mesh whose name does not end in .obj"),
     ] {
-        let ran = run(&folder, line);
-        let told = ran.err.ends_with(expected);
-        assert!(ran.code == Some(1) && told, "{line}: {}", ran.err);
+        let expected = format!(
+            "{file}: expected a mesh (.obj) or a PNG, JPEG or GIF picture, found {found}\n"
+        );
+        for line in [
+            format!("diagnose {file} --character builtin:adult --pose pose.json"),
+            format!("compare {file} {file}"),
+        ] {
+            let ran = run(&folder, &line);
+            let told = ran.err.ends_with(&expected);
+            assert!(ran.code == Some(1) && told, "{line}: {}", ran.err);
+        }
     }
 }
 

@@ -76,6 +76,8 @@ fn a_file_under_a_wrong_name_is_said_to_be_what_it_is() {
         ("picture.obj", picture),
         ("packed.obj", b"PK\x03\x04\xff".to_vec()),
         ("notes.txt", b"notes".to_vec()),
+        ("curve.swp", Vec::new()),
+        ("kept.scene", Vec::new()),
     ] {
         story.host.files.insert(name.into(), bytes);
     }
@@ -99,6 +101,21 @@ fn a_file_under_a_wrong_name_is_said_to_be_what_it_is() {
             "Import Shape…",
             "notes.txt",
             "notes.txt: expected a shape (.obj, .dae), found .txt",
+        ),
+        (
+            "Import Character…",
+            "curve.swp",
+            "curve.swp: expected a character (.obj, .dae), found .swp, which Import Curve reads",
+        ),
+        (
+            "Import Curve…",
+            "models/strip.obj",
+            "models/strip.obj: expected curves (.swp), found .obj, which Import Shape and Import Character read",
+        ),
+        (
+            "Import Shape…",
+            "kept.scene",
+            "kept.scene: expected a shape (.obj, .dae), found .scene, which Open reads",
         ),
     ] {
         story.click("Insert");
