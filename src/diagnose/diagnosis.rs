@@ -272,6 +272,12 @@ impl Diagnosis {
         self
     }
 
+    /// Whether all vertices are in one place.
+    pub(super) fn is_in_one_place(&self) -> bool {
+        let mut findings = self.findings.iter();
+        findings.any(|finding| matches!(finding.0, MeshFinding::OnePlace { .. }))
+    }
+
     /// Takes into account how triangles differ.
     pub(super) fn judge(&mut self, faces: FaceDifference) {
         self.faces = faces;

@@ -14,9 +14,17 @@ const TOLD: usize = 5;
 const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
                             its angles";
 
+/// Many a mistake gives that, and these are the ones that are made.
+const ALL_AT_ORIGIN: &str = "all vertices are at the origin: are the joints' matrices filled, and the inverse bind matrices? \
+                             New ones are 0, and so are weights below 1 that are read as whole numbers";
+
 impl fmt::Display for OfTheWhole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.0, self.0.brief()) {
+            (MeshFinding::OnePlace { at }, _) if *at == [0.0; 3] => f.write_str(ALL_AT_ORIGIN),
+            (MeshFinding::OnePlace { at }, _) => {
+                write!(f, "all vertices are in one place, {}", vector(*at))
+            }
             (MeshFinding::Scaled { offset, .. }, Some(brief)) if *offset == [0.0; 3] => {
                 f.write_str(&brief)
             }
@@ -328,9 +336,12 @@ impl Diagnosis {
             }
             fmt_where(std::slice::from_ref(mistake), f)?;
         }
+        // Where every vertex is off, which ones are says nothing.
         if nearly_right == Some(NearlyRight::Placed) {
-            // Every vertex is off, which says nothing.
             return write!(f, "\n  look at  {LOOK_AT_PLACE}");
+        }
+        if self.is_in_one_place() {
+            return Ok(());
         }
         if let Some(first) = &self.first {
             write!(f, "\n  shown by {first}")?;

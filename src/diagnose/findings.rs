@@ -91,6 +91,23 @@ impl Findings<'_> {
         }
     }
 
+    /// The diagnosis of a mesh all vertices of which are in one place; `None` of any other, and where they should be.
+    pub(super) fn in_one_place(&self) -> Option<Diagnosis> {
+        let (first, exact) = (self.theirs.first()?, self.exact.first()?);
+        let are_apart = |placed: &Placed| placed.distance(exact.at) > self.tolerance;
+        let is_so = first.is_finite()
+            && self.theirs.iter().all(|place| place == first)
+            && self.exact.iter().any(are_apart);
+        is_so.then(|| {
+            let at = first.to_array();
+            Diagnosis {
+                regions: self.regions(),
+                findings: vec![OfTheWhole(MeshFinding::OnePlace { at })],
+                ..self.diagnosis(Verdict::Unexplained)
+            }
+        })
+    }
+
     /// The diagnosis of the file's own mesh at rest, which nobody can tell from the skinned one.
     pub(super) fn as_the_file_has_it(&self) -> Diagnosis {
         Diagnosis {

@@ -216,6 +216,9 @@ async fn diagnose_vertices(
         size,
         tolerance,
     };
+    if let Some(found) = findings.in_one_place() {
+        return Ok(found);
+    }
     let error = findings.error();
     let limits = (tolerance, written.largest);
     let search = Search::new(model, pose, &points, limits, &distances);
@@ -266,9 +269,9 @@ async fn diagnose_vertices(
     let mut coarse = None;
     if explanations.is_empty() {
         coarse = Coarse::find(&exact, theirs, half_step, size);
-        let limit = coarse.and(precision::coarse_limit(half_step, size));
+        let limit = precision::coarse_limit(half_step, size);
         let may_be_right = coarse.is_some_and(|coarse| coarse.may_be_right);
-        if let Some(limit) = limit.filter(|_| !may_be_right) {
+        if coarse.is_some() && !may_be_right && precision::tells_mistakes(half_step, size) {
             let rounded = search.of_coordinates_within(limit, None);
             (_, explanations) = sought(&rounded, &rounded, &findings, limit, pace).await;
             // As where digits tell more, this is simpler than two mistakes.
@@ -354,12 +357,16 @@ async fn sought_cut_off(
         size,
         ..
     } = *findings;
-    let (ways, limit) = written.cut_off(theirs.len(), size)?;
-    for cut_off in ways {
+    let half_step = written.half_step;
+    let limit = precision::coarse_limit(half_step, size);
+    for cut_off in written.cut_off(theirs.len(), size)? {
         let search = search.of_coordinates_within(limit, Some(cut_off));
         let mut pairs = exact.iter().zip(theirs);
         if pairs.all(|(exact, theirs)| !search.is_off(*exact, *theirs)) {
             return Some((Coarse::of_cut_off(cut_off, size, true), Vec::new()));
+        }
+        if !precision::tells_mistakes(half_step, size) {
+            continue;
         }
         let (_, explanations) = sought(&search, &search, findings, limit, pace).await;
         if !explanations.is_empty() {

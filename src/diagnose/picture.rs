@@ -260,7 +260,7 @@ impl fmt::Display for PictureDiagnosis {
                 let sure = 100.0 * self.sure;
                 write!(
                     f,
-                    "right, as far as the silhouette tells: {error} of it is off; {sure:.0} % of the \
+                    "right, as far as the silhouette tells: {error} of it is off, its edge left out; {sure:.0} % of the \
                      known mistakes would show"
                 )?;
             }

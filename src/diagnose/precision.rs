@@ -12,8 +12,11 @@ const MOST_DIGITS: usize = 9;
 const ROOM: f64 = 1.01;
 /// Fewest vertices whose numbers tell by how few digits they have that they are rounded.
 const FEWEST_ROUNDED: usize = 12;
-/// The coarsest rounding, by the size, after which a mesh can still be told to be right.
+/// The coarsest rounding, by the size, after which mistakes can still be told from one another.
 const MOST_ROUNDING: f64 = 0.02;
+/// The coarsest one after which a mesh can still be told to be right. It may be coarser: where hardly a vertex may move
+/// without one of its numbers becoming another, only the exact result has all of them.
+const MOST_ROUNDING_OF_RIGHT: f64 = 0.1;
 
 /// Coordinates beyond so many times the largest exact one are none of a mesh, in whatever unit it is.
 const BEYOND_ANY: f32 = 1e4;
@@ -70,16 +73,13 @@ impl Written {
         }
     }
 
-    /// How the numbers of a mesh of this `size` may be cut off instead of rounded, and how far coordinates may be apart and
-    /// agree then; nothing where that would show nothing, or no more than rounding does.
-    pub(super) fn cut_off(&self, count: usize, size: f64) -> Option<([CutOff; 2], f64)> {
+    /// How the numbers of a mesh of this `size` may be cut off instead of rounded; nothing where that would show nothing, or
+    /// no more than rounding does.
+    pub(super) fn cut_off(&self, count: usize, size: f64) -> Option<[CutOff; 2]> {
         let half_step = self.half_step;
         let is_more = 2.0 * of_vertices(half_step) > self.tolerance(size);
-        let limit = coarse_limit(half_step, size).filter(|_| is_more && count >= FEWEST_ROUNDED)?;
-        Some((
-            [false, true].map(|is_down| CutOff { is_down, half_step }),
-            limit,
-        ))
+        let is_told = is_more && tells_right(half_step, size) && count >= FEWEST_ROUNDED;
+        is_told.then(|| [false, true].map(|is_down| CutOff { is_down, half_step }))
     }
 
     /// How far vertices may be apart and agree in a mesh of this size.
@@ -127,11 +127,19 @@ pub(super) fn of_vertices(half_step: f64) -> f64 {
     half_step * 3_f64.sqrt() * ROOM
 }
 
-/// How far coordinates may be apart and agree in a mesh of this `size` that rounding by `half_step` is too coarse for; `None`
-/// where that is so coarse that it says nothing.
-pub(super) fn coarse_limit(half_step: f64, size: f64) -> Option<f64> {
-    let tells = of_vertices(half_step) <= MOST_ROUNDING * size;
-    tells.then_some(ROOM * half_step + SINGLE_PRECISION * size)
+/// How far coordinates may be apart and agree in a mesh of this `size` that rounding by `half_step` is too coarse for.
+pub(super) fn coarse_limit(half_step: f64, size: f64) -> f64 {
+    ROOM * half_step + SINGLE_PRECISION * size
+}
+
+/// Whether a mesh of this `size` that is so rounded tells mistakes apart.
+pub(super) fn tells_mistakes(half_step: f64, size: f64) -> bool {
+    of_vertices(half_step) <= MOST_ROUNDING * size
+}
+
+/// Whether it tells that it is right.
+fn tells_right(half_step: f64, size: f64) -> bool {
+    of_vertices(half_step) <= MOST_ROUNDING_OF_RIGHT * size
 }
 
 /// Numbers with too few digits.
@@ -170,7 +178,8 @@ impl Coarse {
             pairs.all(|(exact, theirs)| (exact.at - theirs.as_dvec3()).abs().max_element() <= most)
         };
         is_coarse.then(|| {
-            let may_be_right = coarse_limit(half_step, size).is_some_and(is_so_rounded);
+            let limit = coarse_limit(half_step, size);
+            let may_be_right = tells_right(half_step, size) && is_so_rounded(limit);
             Self::new(half_step, size, may_be_right)
         })
     }

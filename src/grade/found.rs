@@ -26,7 +26,13 @@ pub(super) fn mostly_posed(found: &Diagnosis) -> Option<&OtherPose> {
 /// What is known of a mesh that nothing explains whole, in a few words.
 pub(super) fn hint(found: &Diagnosis) -> Option<String> {
     if let Some(other) = mostly_posed(found) {
-        return Some(match other.joints.len() {
+        let (joints, all) = (other.joints.len(), other.posed_joints);
+        return Some(match joints {
+            _ if 2 * joints > all => {
+                let turned = other.joints.iter().map(|joint| joint.turned_by);
+                let most = turned.fold(0.0, f64::max);
+                format!("{joints} of {all} joints turned otherwise, by up to {most:.1}°")
+            }
             1 => "right but for 1 joint".to_owned(),
             joints => format!("right but for {joints} joints"),
         });

@@ -8,14 +8,15 @@ use super::graded::{Graded, Outcome, rounded};
 use super::nearness::nearness;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
+use crate::compare::MeshFinding;
 use crate::diagnose::{
-    Diagnosis, JOINT_NOT_TURNED, NoNumbers, POSE_NOT_APPLIED, PictureError, Verdict, diagnose,
-    diagnose_picture, has_silhouette, measure,
+    Diagnosis, JOINT_NOT_TURNED, NoNumbers, OfTheWhole, POSE_NOT_APPLIED, PictureError, Verdict,
+    diagnose, diagnose_picture, has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
-    RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8, markup,
+    RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, has_vertices, in_utf8, markup,
     read_posed_vertices, without_v,
 };
 use base64::Engine;
@@ -106,24 +107,6 @@ impl Test {
         })
     }
 
-    /// Words about a mesh all vertices of which are at `place`.
-    fn in_one_place(&self, place: Vec3) -> String {
-        if place != Vec3::ZERO {
-            let Vec3 { x, y, z } = place;
-            return format!("all vertices are in one place, ({x}, {y}, {z})");
-        }
-        let mut weights = self.character.attachments().vertices().flatten();
-        let all_are_parts = weights.all(|influence| influence.weight < 1.0);
-        let as_whole_numbers = match all_are_parts {
-            true => ", and so are weights that are read as whole numbers",
-            false => "",
-        };
-        format!(
-            "all vertices are at the origin: are the joints' matrices filled, T and the inverse of B? New ones are \
-             0{as_whole_numbers}"
-        )
-    }
-
     /// What the file with the content `bytes` is. Where it is the exact result of another one of `tests`, it was
     /// handed in under a wrong name.
     pub fn grade(&self, bytes: &[u8], tests: &[Self]) -> Graded {
@@ -137,15 +120,11 @@ impl Test {
     }
 
     fn grade_mesh(&self, bytes: &[u8], tests: &[Self]) -> Graded {
-        let is_vertex = |line: &str| {
-            let line = line.trim_ascii_start();
-            line.starts_with("v ") || line.starts_with("v\t")
-        };
         let name = self.file_name();
         let bytes = &*in_utf8(bytes);
         if let Ok(text) = std::str::from_utf8(bytes)
             && markup(text).is_none()
-            && !text.lines().any(is_vertex)
+            && !has_vertices(text)
         {
             return Graded::without(Outcome::Blank, no_vertices(text));
         }
@@ -171,7 +150,9 @@ impl Test {
         warnings.extend(no_numbers.as_ref().map(|found| found.told(&name)));
         let places = &theirs.positions;
         if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
-            return Graded::without(Outcome::Blank, self.in_one_place(places[0]));
+            let at = places[0].as_dvec3().to_array();
+            let why = OfTheWhole(MeshFinding::OnePlace { at }).to_string();
+            return Graded::without(Outcome::Blank, why);
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {

@@ -338,7 +338,7 @@ fn a_torso_that_is_not_turned_is_told_as_joints_at_rest_though_others_could_shar
         assert!(degrees.abs_diff_eq(Vec3::ZERO, 0.01), "{joint}");
     }
     // Of four joints that are asked for, two are as asked.
-    assert_eq!(other.as_expected, 0.5);
+    assert_eq!((other.as_expected, other.posed_joints), (0.5, 4));
 }
 
 #[test]

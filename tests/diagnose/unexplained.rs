@@ -95,6 +95,35 @@ fn a_vertex_far_outside_as_of_memory_that_was_never_set_says_nothing_about_the_o
 }
 
 #[test]
+fn vertices_that_are_all_in_one_place_are_said_to_be_and_no_two_mistakes_are_named() {
+    for name in ["adult", "robot"] {
+        let figure = Figure::builtin(name, turned(11));
+        let all_at = |place| vec![place; RIGHT.skin(&figure).len()];
+        for (place, told) in [
+            (
+                Vec3::ZERO,
+                "unexplained: all vertices are at the origin: are the joints' matrices filled, and the inverse bind \
+                 matrices? New ones are 0, and so are weights below 1 that are read as whole numbers\n",
+            ),
+            (
+                Vec3::new(0.5, -0.7, 0.5),
+                "unexplained: all vertices are in one place, (0.5000, -0.7000, 0.5000)\n",
+            ),
+        ] {
+            let found = figure.diagnose(&all_at(place));
+            assert_eq!(found.verdict, Verdict::Unexplained, "{name}: {found}");
+            let text = found.to_string();
+            assert!(text.starts_with(told), "{name}: {text}");
+            assert!(
+                !text.contains("rounded") && text.lines().count() == 2,
+                "{text}"
+            );
+            assert_eq!((&*found.mistakes, found.coarse), (&[][..], None));
+        }
+    }
+}
+
+#[test]
 fn numbers_with_too_few_digits_are_said_to_be_the_reason() {
     let figure = adult();
     let right = RIGHT.skin(&figure);
@@ -106,6 +135,29 @@ fn numbers_with_too_few_digits_are_said_to_be_the_reason() {
     let told = "the exact result rounded to 0.01, which is too coarse to tell mistakes apart: write at least 4 digits \
                 after the point";
     assert!(text.contains(told), "{text}");
+    // One digit is enough for that: all numbers of all vertices are those of the exact result.
+    for (points, told) in [
+        (written(&right, 1), "the exact result rounded to 0.1, which"),
+        (
+            cut(&right, 1, f32::trunc),
+            "the exact result cut off to 0.1 instead of rounded",
+        ),
+    ] {
+        let found = figure.diagnose(&points);
+        assert_eq!(found.nearly_right(), Some(NearlyRight::Rounded), "{found}");
+        assert!(found.to_string().contains(told), "{found}");
+        let mut off = points;
+        off[7].y += 0.1;
+        let found = figure.diagnose(&off);
+        assert_eq!(found.nearly_right(), None, "{found}");
+    }
+    // It is not enough to name mistakes, which are not right for it.
+    let found = figure.diagnose(&written(&with(&["euler-zyx"]).skin(&figure), 1));
+    assert_eq!(
+        (found.verdict, found.coarse.unwrap().may_be_right),
+        (Verdict::Unexplained, false),
+        "{found}"
+    );
     // What is far off is not called right for its digits.
     let far: Vec<Vec3> = right.iter().map(|place| *place * 1.5).collect();
     let found = figure.diagnose(&written(&far, 2));

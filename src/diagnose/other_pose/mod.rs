@@ -49,6 +49,8 @@ pub struct OtherPose {
     /// How much of the expected pose it has, 0 to 1: of the joints that move vertices and that either pose turns or
     /// moves, those that are as expected, and half of those that are turned otherwise in both.
     pub as_expected: f64,
+    /// How many joints that is told of.
+    pub posed_joints: usize,
     /// How far the mesh is from the exact one in that pose, at most and by the size, or from the one of the mistake besides.
     pub error: f64,
     /// A mistake that moves vertices by less than anybody sees, with which the mesh is of that pose.
@@ -160,9 +162,11 @@ impl OtherPose {
             moved: None,
             is_ambiguous: false,
         }];
+        let (as_expected, posed_joints) = share_of_expected(model, expected, &joints);
         Self {
             pose: not_turned::without(expected, joint),
-            as_expected: share_of_expected(model, expected, &joints),
+            as_expected,
+            posed_joints,
             joints,
             error: lacking.error / size,
             besides: None,
@@ -223,9 +227,11 @@ pub(super) async fn find(
         .iter()
         .find_map(|posed| search.found(posed))?;
     let (pose, joints, error) = search.in_fewer_parts(found, size);
+    let (as_expected, posed_joints) = share_of_expected(model, expected, &joints);
     Some(OtherPose {
         pose,
-        as_expected: share_of_expected(model, expected, &joints),
+        as_expected,
+        posed_joints,
         joints,
         error: error / size,
         besides: None,
@@ -335,10 +341,10 @@ impl Search<'_> {
 
 /// How much of the pose `expected` is in another one, from which the joints of `turned` alone differ: each joint that
 /// moves vertices and is turned or moved in either counts whole where it is as expected, half where it is turned
-/// otherwise, and not at all where it is at rest in one of both.
-fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> f64 {
+/// otherwise, and not at all where it is at rest in one of both. With it the number of these joints.
+fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> (f64, usize) {
     let moves = model.moving_or_below();
-    let (mut all, mut counted) = (0.0, 0.0);
+    let (mut all, mut counted) = (0, 0.0);
     for joint in (0..moves.len()).filter(|&joint| moves[joint]) {
         let is_expected = expected.is_changed(joint);
         let differs = turned.iter().find(|turned| turned.joint_index == joint);
@@ -346,7 +352,7 @@ fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> 
         if !is_expected && !is_there {
             continue;
         }
-        all += 1.0;
+        all += 1;
         counted += match differs {
             Some(turned)
                 if turned.turned_by > AS_EXPECTED + TOLD_APART_OF_SMALL
@@ -357,7 +363,8 @@ fn share_of_expected(model: &Model, expected: &Pose, turned: &[TurnedJoint]) -> 
             _ => 1.0,
         };
     }
-    if all == 0.0 { 1.0 } else { counted / all }
+    let share = if all == 0 { 1.0 } else { counted / all as f64 };
+    (share, all)
 }
 
 /// Angles in so many parts of a degree.
