@@ -273,7 +273,7 @@ impl Diagnosis {
     }
 
     /// Whether all vertices are in one place.
-    pub(super) fn is_in_one_place(&self) -> bool {
+    pub fn is_in_one_place(&self) -> bool {
         let mut findings = self.findings.iter();
         findings.any(|finding| matches!(finding.0, MeshFinding::OnePlace { .. }))
     }

@@ -723,6 +723,24 @@ fn the_file_of_a_character_beside_the_character_at_rest_is_said_to_be_that() {
 }
 
 #[test]
+fn a_mesh_all_vertices_of_which_are_at_the_origin_is_said_to_be_that_in_any_pose() {
+    let mesh = obj(&vec![Vec3::ZERO; RIGHT.skin(&dog()).len()], &dog(), |_| {
+        "0".to_owned()
+    });
+    for pose in [dog().pose(), Pose::new()] {
+        let mut story = posed_as(&pose);
+        compare_with(&mut story, mesh.clone().into_bytes());
+        diagnose(&mut story);
+        text(
+            &story,
+            "All vertices are at the origin: are the joints' matrices filled, and the inverse bind matrices?",
+        );
+        let mut texts = texts(&story).into_iter();
+        assert!(!texts.any(|text| text.contains("seems to be posed")));
+    }
+}
+
+#[test]
 fn joints_are_listed_with_the_worst_first_and_another_mesh_begins_at_the_top() {
     let mut story = comparing(&off_by_one());
     text(

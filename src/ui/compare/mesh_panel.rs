@@ -249,7 +249,7 @@ impl Parts<'_> {
             Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
             Verdict::Explained | Verdict::Unexplained => false,
         };
-        is_at_rest && !is_of_pose
+        is_at_rest && !is_of_pose && !diagnosis.is_in_one_place()
     }
 
     /// Whether theirs is the mesh of the character's file, of a character at rest that is not quite so once it is skinned.
