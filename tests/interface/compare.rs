@@ -433,6 +433,12 @@ fn masks_are_added_for_the_courses_panels_and_by_hand_and_taken_away() {
     editor.click("Remove mask 1");
     assert_eq!(settings(&editor).masks.len(), 2);
     assert_eq!(settings(&editor).masks[1], third);
+    // The next picture may be one without panels.
+    editor.click("Mask its panels");
+    assert_eq!(settings(&editor).masks.len(), 3);
+    editor.click("Unmask its panels");
+    assert_eq!(settings(&editor).masks, [third]);
+    assert!(editor.has("Mask its panels"));
 }
 
 #[test]

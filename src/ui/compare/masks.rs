@@ -18,7 +18,7 @@ const GRIP: f32 = 4.0;
 /// The label that a mask is moved by, in points.
 const LABEL: Vec2 = vec2(56.0, 18.0);
 
-/// What adds masks.
+/// What adds masks, and takes those of panels away again.
 pub(super) fn buttons(ui: &mut Ui, compare: &CompareView<'_>, look: Look, masks: &mut Vec<Mask>) {
     let size = compare.size();
     let room = masks.len() < MOST;
@@ -33,29 +33,33 @@ pub(super) fn buttons(ui: &mut Ui, compare: &CompareView<'_>, look: Look, masks:
         ),
     };
     let masked = panels.iter().all(|panel| masks.contains(panel));
-    let gone = if compare.is_cut {
-        "They are cut off"
+    let full = "There are as many masks as can be";
+    if masked {
+        // The next picture may have no panels.
+        let unmask = ui.button("Unmask its panels");
+        if unmask.on_hover_text("Remove these masks").clicked() {
+            masks.retain(|mask| !panels.contains(mask));
+        }
     } else {
-        "They are masked"
-    };
-    let course = ui
-        .add_enabled(
-            room && !masked && !compare.is_cut,
-            Button::new("Mask its panels"),
-        )
-        .on_hover_text(whose)
-        .on_disabled_hover_text(gone);
-    if course.clicked() {
-        for panel in panels {
-            if !masks.contains(&panel) {
-                masks.push(panel);
-            }
+        let gone = if compare.is_cut {
+            "They are cut off"
+        } else {
+            full
+        };
+        let mask = ui
+            .add_enabled(room && !compare.is_cut, Button::new("Mask its panels"))
+            .on_hover_text(whose)
+            .on_disabled_hover_text(gone);
+        if mask.clicked() {
+            let new = panels.iter().filter(|panel| !masks.contains(panel));
+            let new: Vec<Mask> = new.copied().collect();
+            masks.extend(new);
         }
     }
     let add = ui
         .add_enabled(room, Button::new("Add mask"))
         .on_hover_text("Leave out a part of the pictures; drag its edges in the view")
-        .on_disabled_hover_text("There are as many masks as can be");
+        .on_disabled_hover_text(full);
     if add.clicked() {
         masks.push(Mask::in_the_middle(size));
     }
