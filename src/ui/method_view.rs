@@ -1,7 +1,6 @@
 //! Both methods of skinning in one view, blended or side by side. All of it is a view: the document
 //! knows nothing of it.
 
-use super::posing::BAR_HEIGHT;
 use super::swipe_line;
 use super::theme::Palette;
 use super::widgets::{named, titled_choice};
@@ -163,9 +162,13 @@ pub(super) fn choice(ui: &mut Ui, session: &Session, id: ShapeId, state: &mut Me
     }
 }
 
-/// Shows over the view which method is seen where.
-pub(super) fn over_view(ui: &mut Ui, view: Rect, state: &mut MethodViewState) {
-    let top = view.top() + BAR_HEIGHT + 8.0;
+/// Shows over the view, below the tools, which method is seen where.
+pub(super) fn over_view(
+    ui: &mut Ui,
+    (view, below_tools): (Rect, f32),
+    state: &mut MethodViewState,
+) {
+    let top = view.top() + below_tools;
     match state.view {
         MethodView::Own => {}
         MethodView::Blend => {

@@ -1,6 +1,5 @@
 //! First steps in an empty document: recent files, built-in characters and scenes.
 
-use super::posing::BAR_HEIGHT;
 use super::theme::Palette;
 use super::widgets::named;
 use super::{Action, Ask, ViewInput, axis_ball};
@@ -53,16 +52,23 @@ pub fn has_start_page(session: &Session, is_busy: bool) -> bool {
     session.scene().shapes().is_empty() && !is_busy
 }
 
-/// Offers what to begin with, below the tools and the axis ball. It scrolls where there is no room for all of it.
-pub(super) fn show(ui: &mut Ui, view: Rect, input: &ViewInput, actions: &mut Vec<Action>) {
+/// Offers what to begin with, below the axis ball and the tools, which take so many points at the top of the view. It
+/// scrolls where there is no room for all of it.
+pub(super) fn show(
+    ui: &mut Ui,
+    (view, below_tools): (Rect, f32),
+    input: &ViewInput,
+    actions: &mut Vec<Action>,
+) {
     let width = (view.width() - 2.0 * MARGIN).min(WIDEST);
     let left = view.center().x - width / 2.0;
-    let above = if left + width > axis_ball::left(view) {
+    let is_below_ball = left + width > axis_ball::left(view);
+    let below_ball = if is_below_ball {
         axis_ball::HEIGHT
     } else {
-        BAR_HEIGHT + MARGIN
+        0.0
     };
-    let top = view.top() + above;
+    let top = view.top() + below_ball.max(below_tools);
     let room = vec2(width, view.bottom() - MARGIN - top);
     if room.x < LEAST.x || room.y < LEAST.y {
         return;

@@ -99,7 +99,7 @@ pub(super) fn show(
     let is_start = start_page::has_start_page(session, is_busy);
     if is_start {
         // It takes the place of the switch, which has nothing to show here.
-        start_page::show(&mut over, rect, input, actions);
+        start_page::show(&mut over, (rect, below_tools(state)), input, actions);
     } else if input.compare.is_none() {
         look_switch::show(&mut over, rect, session.view().look, actions);
     }
@@ -141,7 +141,7 @@ fn what_is_seen(
     let top = explain::over_view(over, (rect, below_tools), places, session, explain);
     // The mistake is what is seen then.
     if !state.explain.makes_mistake() {
-        method_view::over_view(over, rect, &mut state.methods);
+        method_view::over_view(over, (rect, below_tools), &mut state.methods);
     }
     let is_empty = session.scene().shapes().is_empty();
     if let Some(legend) = input

@@ -320,6 +320,16 @@ fn in_small_windows_the_start_page_offers_all_it_has() {
 }
 
 #[test]
+fn the_start_page_is_below_both_rows_of_tools() {
+    let mut editor = Editor::sized(vec2(1500.0, 900.0));
+    editor.click("IK Tool");
+    let tool = editor.widget("Unpin All Joints").rect();
+    let heading = editor.harness.get_by_label("Start").rect();
+    // Both have a margin.
+    assert!(heading.top() > tool.bottom() + 20.0, "{heading} {tool}");
+}
+
+#[test]
 fn the_name_of_the_driver_leaves_the_status_line_to_the_hint() {
     const WHOLE: &str = "WebGL 2.0 · ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)";
     const SHORT: &str = "WebGL 2.0 · SwiftShader";
