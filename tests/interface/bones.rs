@@ -353,6 +353,31 @@ fn keys_that_roll_the_bone_under_the_pointer_turn_the_camera_elsewhere_and_never
 }
 
 #[test]
+fn keys_that_turn_the_camera_go_on_until_the_pointer_moves_though_a_bone_comes_below_it() {
+    let mut editor = Editor::with_hands(Key::B);
+    let ui = &mut editor.harness.state_mut().state;
+    ui.set_navigation(Navigation::Mannequin);
+    let on_bone = editor.session().view().camera;
+    let at = editor.on_bone(LEFT_ELBOW);
+    let mut elsewhere = on_bone;
+    elsewhere.target += Vec3::Y * 50.0;
+    editor.view(View::SetCamera(elsewhere));
+    editor.point(at);
+    editor.key(Key::ArrowRight);
+    assert_ne!(editor.session().view().camera, elsewhere);
+    // As a turn of it brings the bone there.
+    editor.view(View::SetCamera(on_bone));
+    editor.key(Key::ArrowRight);
+    assert!(editor.character().pose().is_bind());
+    assert_ne!(editor.session().view().camera, on_bone);
+    editor.view(View::SetCamera(on_bone));
+    editor.point(at + vec2(1.0, 0.0));
+    editor.key(Key::ArrowRight);
+    assert!(!editor.character().pose().is_bind(), "it was pointed at");
+    assert_eq!(editor.session().view().camera, on_bone);
+}
+
+#[test]
 fn arrow_keys_elsewhere_do_not_roll() {
     let mut editor = Editor::with_hands(Key::B);
     editor.click("Left elbow");

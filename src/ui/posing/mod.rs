@@ -62,6 +62,8 @@ pub(super) struct PoseState {
     pub over_view: bool,
     /// Whether Left or Right was pressed last beside all bones, where it turns the camera if the navigation has that.
     pub turns_camera: bool,
+    /// Where the pointer was then.
+    pub turned_camera_at: Option<Pos2>,
     /// Whether the pointer is a finger.
     pub by_finger: bool,
     /// The bone that was dragged or clicked last: of its joint's bones, keys roll this one.

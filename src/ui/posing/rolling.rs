@@ -9,8 +9,8 @@ use egui::{Context, Event, Key, Modifiers};
 
 /// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while
 /// Left or Right is pressed over the view. If the navigation turns the camera by these keys, only
-/// the bone under the pointer or its rings, and a key that was pressed beside all bones goes on turning the camera while it is held,
-/// whatever comes below the pointer. To be called before the panels, which use these keys, too.
+/// the bone under the pointer or its rings, and keys that were pressed beside all bones go on turning the camera until the
+/// pointer moves, whatever comes below it. To be called before the panels, which use these keys, too.
 pub(in crate::ui) fn roll_by_keys(
     ctx: &Context,
     session: &Session,
@@ -29,7 +29,11 @@ pub(in crate::ui) fn roll_by_keys(
         )
     };
     if ctx.input(|input| input.events.iter().any(is_press)) {
-        state.pose.turns_camera = state.pose.hovered.is_none() && state.pose.hot.is_none();
+        let pose = &mut state.pose;
+        let at = ctx.input(|input| input.pointer.latest_pos());
+        let goes_on = pose.turns_camera && pose.turned_camera_at == at;
+        pose.turns_camera = goes_on || pose.hovered.is_none() && pose.hot.is_none();
+        pose.turned_camera_at = at;
     }
     if let Some(rolled) = &mut state.pose.rolled
         && !session.is_in_gesture()
