@@ -394,6 +394,7 @@ impl Default for Formula {
                 rescaled: Rescaled::No,
                 is_overwritten: false,
                 columns: Columns::Exact,
+                unused_first: false,
                 factor: 1.0,
             },
             joint_order: JointOrder {

@@ -43,13 +43,24 @@ impl<'a> Joints<'a> {
                 angles_of[joint] = index;
             }
         }
-        let [tree, bind_tree] = formula.popped.map(|popped| {
+        let is_reached =
+            (formula.reached).map(|(reached, unfilled)| (reached.of(model.skeleton()), unfilled));
+        let tree = |popped: Popped, is_of_bind: bool| {
             let tree = Tree::new(model, formula);
-            match popped {
-                Popped::All => tree,
-                popped => tree.on_stack(model.joints_by(JointsBy::Depth), popped),
+            if popped == Popped::All {
+                return tree;
             }
-        });
+            let mut visited = model.joints_by(JointsBy::Depth);
+            // What the recursion does not come to, it does not push either.
+            if let Some((is_reached, unfilled)) = &is_reached
+                && (!is_of_bind || *unfilled == Unfilled::IdentityInBoth)
+            {
+                visited.retain(|&joint| is_reached[joint]);
+            }
+            tree.on_stack(visited, popped)
+        };
+        let [popped, popped_in_bind] = formula.popped;
+        let (tree, bind_tree) = (tree(popped, false), tree(popped_in_bind, true));
         let offset = |joint: usize| tree.offsets[joint];
         let parent = |joint: usize| model.skeleton().joints()[joint].parent;
         let is_root = |joint: usize| parent(joint).is_none();
@@ -141,8 +152,7 @@ impl<'a> Joints<'a> {
         for transform in &mut current {
             transform.matrix3 = formula.current_rotations.of(transform.matrix3);
         }
-        if let Some((reached, unfilled)) = formula.reached {
-            let is_reached = reached.of(model.skeleton());
+        if let Some((is_reached, unfilled)) = is_reached {
             for (joint, _) in is_reached.iter().enumerate().filter(|(_, it)| !**it) {
                 current[joint] = match unfilled {
                     Unfilled::Zero => DAffine3::ZERO,

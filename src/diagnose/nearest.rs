@@ -3,9 +3,11 @@
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
 use super::model::Model;
+use super::not_turned::Lacking;
 use super::search::{Alone, Search};
 use super::skin::Skinner;
 use crate::character::Pose;
+use crate::steps::Pace;
 use serde::Serialize;
 
 /// What the nearest mistake must explain to be named.
@@ -36,12 +38,13 @@ impl Nearest {
 
 /// The mistake that gives nearly all vertices, if there is one and the exact formula does not, or else the one that
 /// leaves the least, if it explains much.
-pub(super) fn find(
-    search: &Search,
-    model: &Model,
+pub(super) async fn find(
+    search: &Search<'_>,
+    model: &Model<'_>,
     pose: &Pose,
     order: VertexOrder,
     alone: &[Alone],
+    pace: &Pace,
 ) -> Option<Nearest> {
     let exact = Formula {
         vertex_order: order,
@@ -65,9 +68,31 @@ pub(super) fn find(
     {
         return Some(nearest);
     }
+    if order == VertexOrder::File
+        && let Some(nearest) = joint_not_turned(search, off, pace).await
+    {
+        return Some(nearest);
+    }
     let best = alone
         .iter()
         .min_by(|a, b| a.nearness.mean.total_cmp(&b.nearness.mean))?;
     let nearest = told(best, search.off(best.made)?);
     (nearest.explains >= EXPLAINS_MUCH).then_some(nearest)
+}
+
+/// A joint that, not turned, gives nearly all vertices, and more than the exact formula does, if there is one. The mean distance
+/// that it leaves is told as a part of `off`.
+async fn joint_not_turned(search: &Search<'_>, off: f64, pace: &Pace) -> Option<Nearest> {
+    let all = search.theirs.len();
+    let most = ((1.0 - NEARLY_ALL) * all as f64) as usize;
+    let (mistake, vertices, mean) = Lacking::new(search)?.giving_all_but(most, pace).await?;
+    let mut exact = Skinner::new(search.model, search.pose, &Formula::default());
+    let is_off = |it: &usize| search.distance(&mut exact, *it) > search.tolerance;
+    let is_nearer = (0..all).filter(is_off).count() > vertices;
+    is_nearer.then(|| Nearest {
+        mistake,
+        explains: 1.0 - mean / off,
+        agrees: 1.0 - vertices as f64 / all as f64,
+        off: vertices,
+    })
 }

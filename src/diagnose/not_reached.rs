@@ -6,6 +6,8 @@ use super::findings::Findings;
 use super::found_otherwise::VERTICES_NOT_REACHED;
 use super::model::Model;
 use super::nearest::NEARLY_ALL;
+use super::not_turned::Lacking;
+use super::search::Search;
 use super::vertex_count::with_vertices;
 use crate::character::Pose;
 use crate::steps::Pace;
@@ -62,9 +64,31 @@ impl NotReached {
         self.left.len() as f64 <= (1.0 - NEARLY_ALL) * self.all as f64
     }
 
+    /// The diagnosis of the mesh of `search` if the others are right, but for a joint that is not turned.
+    pub(super) async fn beside_joint(
+        &self,
+        search: &Search<'_>,
+        findings: &Findings<'_>,
+        pace: &Pace,
+    ) -> Option<Diagnosis> {
+        let lacking = Lacking::new(search)?;
+        let others = lacking.giving(|index| !self.left.contains(&index), pace);
+        let others = others.await;
+        let explained = (!others.is_empty()).then(|| findings.explained(&others))?;
+        Some(self.beside(explained))
+    }
+
+    /// What else gives the mesh, beside that the loop does not come to these.
+    fn beside(&self, others: Diagnosis) -> Diagnosis {
+        others.beside(ToldMistake {
+            how: format!("those {}", self.told).into(),
+            ..ToldMistake::whole(&VERTICES_NOT_REACHED)
+        })
+    }
+
     /// The diagnosis of the mesh if the others are right, or what mistakes give.
     pub(super) async fn explained(
-        self,
+        &self,
         findings: &Findings<'_>,
         pose: &Pose,
         pace: &Pace,
@@ -96,9 +120,6 @@ impl NotReached {
             coarse: others.coarse,
             ..whole
         };
-        Some(explained.beside(ToldMistake {
-            how: format!("those {}", self.told).into(),
-            ..ToldMistake::whole(&VERTICES_NOT_REACHED)
-        }))
+        Some(self.beside(explained))
     }
 }

@@ -1,5 +1,6 @@
 //! Poses that lack one joint: the plainest reason why a mesh is off, alone or beside a mistake.
 
+use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
 use super::found_otherwise::JOINT_NOT_TURNED;
 use super::search::{Explanation, Search};
@@ -74,14 +75,72 @@ impl<'a> Lacking<'a> {
             let given = self.search.explained_by(&mut skinner, made, pace).await;
             let Some(given) = given else { continue };
             if !self.is_right_in(pose, pace).await {
-                let name = &self.search.model.skeleton().joints()[*joint].name;
                 found.push(Explanation {
-                    how: Some(format!("{name} ({joint})")),
+                    how: Some(self.named(*joint)),
                     ..given
                 });
             }
         }
         found
+    }
+
+    /// The joints that, not turned, give all vertices that are `such` ones.
+    pub(super) async fn giving(
+        &self,
+        such: impl Fn(usize) -> bool,
+        pace: &Pace,
+    ) -> Vec<Explanation> {
+        let search = self.search;
+        let vertices: Vec<usize> = (0..search.theirs.len()).filter(|&it| such(it)).collect();
+        let mut found = Vec::new();
+        for (joint, pose) in &self.poses {
+            let mut skinner = Skinner::new(search.model, pose, &Formula::default());
+            let mut distances = vertices.iter().map(|&it| search.distance(&mut skinner, it));
+            let error = distances.try_fold(0.0, |most: f64, distance| {
+                (distance <= search.tolerance).then_some(most.max(distance))
+            });
+            found.extend(error.map(|error| Explanation {
+                made: vec![Made::by_numbers(&JOINT_NOT_TURNED)],
+                error,
+                how: Some(self.named(*joint)),
+            }));
+            pace.after(vertices.len()).await;
+        }
+        found
+    }
+
+    /// The joint that, not turned, gives all vertices but the fewest and at most so many, with how many these are and the mean
+    /// distance that is left.
+    pub(super) async fn giving_all_but(
+        &self,
+        most: usize,
+        pace: &Pace,
+    ) -> Option<(ToldMistake, usize, f64)> {
+        let search = self.search;
+        let mut best: Option<(usize, usize, f64)> = None;
+        for (joint, pose) in &self.poses {
+            let mut skinner = Skinner::new(search.model, pose, &Formula::default());
+            let all = 0..search.theirs.len();
+            let off = all.filter(|&it| search.distance(&mut skinner, it) > search.tolerance);
+            let off = off.take(most + 1).count();
+            if off <= most && best.is_none_or(|(_, known, _)| off < known) {
+                best = Some((*joint, off, search.nearness(&mut skinner).mean));
+            }
+            pace.after(search.theirs.len()).await;
+        }
+        best.map(|(joint, off, mean)| {
+            let told = ToldMistake {
+                how: self.named(joint).into(),
+                ..ToldMistake::whole(&JOINT_NOT_TURNED)
+            };
+            (told, off, mean)
+        })
+    }
+
+    /// A joint by name and index.
+    fn named(&self, joint: usize) -> String {
+        let name = &self.search.model.skeleton().joints()[joint].name;
+        format!("{name} ({joint})")
     }
 
     /// Whether the mesh is right in `pose`, which lacks a joint, or without one more.

@@ -53,14 +53,18 @@ pub(super) async fn find(
     }
     let mut few_left = None;
     if order == VertexOrder::File {
-        match not_reached::find(findings) {
-            Some(left) if left.are_few() => few_left = Some(left),
-            Some(left) => {
-                if let Some(explained) = left.explained(findings, pose, pace).await {
+        if let Some(left) = not_reached::find(findings) {
+            if left.are_few() {
+                few_left = Some(left);
+            } else {
+                let explained = match left.explained(findings, pose, pace).await {
+                    None => left.beside_joint(search, findings, pace).await,
+                    explained => explained,
+                };
+                if let Some(explained) = explained {
                     return explained;
                 }
             }
-            None => {}
         }
         let reordered = any_order::beside_mistakes(search, pace).await;
         if !reordered.is_empty() {
@@ -68,7 +72,7 @@ pub(super) async fn find(
         }
     }
     alone.extend(search.near_whole_program(pace).await);
-    found.nearest = nearest::find(search, model, pose, order, &alone);
+    found.nearest = nearest::find(search, model, pose, order, &alone, pace).await;
     // Of a mesh that is off elsewhere, too, an end that is at rest says nothing.
     let is_told = |left: &NotReached| match found.nearly_right() {
         Some(NearlyRight::ButForFew) => left.are_all_off(findings),

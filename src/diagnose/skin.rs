@@ -6,6 +6,7 @@ use super::joint_transforms::Joints;
 use super::model::Model;
 use crate::character::{Influence, Pose};
 use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
+use std::borrow::Cow;
 
 /// Skins the vertices of a character by a formula, one at a time.
 #[derive(Debug)]
@@ -135,11 +136,12 @@ impl<'a> Skinner<'a> {
         let influences = self
             .model
             .influences_by(self.formula.weights.rows, source.weights);
+        let influences = self.counted(influences);
         let written = DMat3::from_diagonal(DVec3::from_array(self.formula.written));
         if influences.is_empty() || self.formula.factors == Factors::Nothing {
             return written;
         }
-        self.keep(influences);
+        self.keep(&influences);
         let parts = self
             .kept
             .iter()
@@ -166,13 +168,22 @@ impl<'a> Skinner<'a> {
         let at = if is_unweighted || self.formula.factors == Factors::Nothing {
             bind
         } else {
-            self.keep(influences);
+            self.keep(&self.counted(influences));
             self.sum(bind, &self.kept)
         };
         Placed {
             at: at * DVec3::from_array(self.formula.written),
             is_unweighted,
         }
+    }
+
+    /// The weights of a vertex of which some are kept.
+    fn counted(&self, influences: &'a [Influence]) -> Cow<'a, [Influence]> {
+        if !self.formula.weights.unused_first {
+            return Cow::Borrowed(influences);
+        }
+        let is_used = |one: &&Influence| self.palette[one.joint as usize].is_some();
+        influences.iter().filter(is_used).copied().collect()
     }
 
     /// Keeps the weights of a vertex that count.
@@ -241,7 +252,7 @@ impl<'a> Skinner<'a> {
         let beyond = beyond.into_iter().map(|row| self.model.influences(row));
         let rows = [own].into_iter().chain(beyond);
         let weighted = rows.filter(|row| !row.is_empty());
-        let kept = weighted.flat_map(|row| choices(row, weights));
+        let kept = weighted.flat_map(|row| choices(&self.counted(row), weights));
         let places = kept.map(|kept| self.sum(bind, &kept) * written);
         let distances = places.map(|place| metric.between(place, theirs));
         // What is no number is no nearer.

@@ -43,12 +43,27 @@ pub(super) fn pairs_of_ways() -> impl Iterator<Item = (Made, Made, Formula)> {
     let firsts = ways().enumerate();
     firsts.flat_map(|(index, first)| {
         let seconds = ways().skip(index + 1);
-        seconds.filter_map(move |second| made_together(first, second))
+        seconds.flat_map(move |second| made_together(first, second))
     })
 }
 
-/// Two mistakes with the formula that has both; `None` if they are one, or cannot be made together.
-fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
+/// Two mistakes with the formulas that have both: none if they are one, or cannot be made together; two where weights that no
+/// joint takes may be left out before others are, or after.
+fn made_together(first: Made, second: Made) -> impl Iterator<Item = (Made, Made, Formula)> {
+    let both = formula_of_both(first, second);
+    let unused_first = both.as_ref().and_then(|both| {
+        let weights = both.weights.with_unused_first()?;
+        Some(Formula {
+            weights,
+            ..both.clone()
+        })
+    });
+    let formulas = both.into_iter().chain(unused_first);
+    formulas.map(move |both| (first, second, both))
+}
+
+/// The formula that has both mistakes; `None` if they are one, or cannot be made together.
+fn formula_of_both(first: Made, second: Made) -> Option<Formula> {
     if std::ptr::eq(first.mistake, second.mistake) {
         return None;
     }
@@ -68,7 +83,7 @@ fn made_together(first: Made, second: Made) -> Option<(Made, Made, Formula)> {
     let is_one = both != formula(&[second, first])
         || both == formula(&[first])
         || both == formula(&[second]);
-    (!is_one).then_some((first, second, both))
+    (!is_one).then_some(both)
 }
 
 /// Every way to make a mistake that is sought alone first.
@@ -88,7 +103,7 @@ pub(super) fn pairs_with_whole_program() -> impl Iterator<Item = (Made, Made, Fo
     let firsts = ways_of_whole_program().enumerate();
     firsts.flat_map(|(index, first)| {
         let seconds = ways().chain(ways_of_whole_program().skip(index + 1));
-        seconds.filter_map(move |second| made_together(first, second))
+        seconds.flat_map(move |second| made_together(first, second))
     })
 }
 

@@ -19,6 +19,8 @@ pub struct WeightFormula {
     pub is_overwritten: bool,
     /// Which joint each belongs to.
     pub columns: Columns,
+    /// Whether weights whose columns are taken for no joint are left out before all that, and not of what is kept.
+    pub unused_first: bool,
     /// Factor of each in the end.
     pub factor: f64,
 }
@@ -138,6 +140,27 @@ pub enum Columns {
     Without(usize),
     /// Its own, but for two joints, each of which has the other's.
     Exchanged(usize, usize),
+}
+
+impl WeightFormula {
+    /// The same weights, of which those that no joint takes are left out first; `None` if that is no other formula.
+    pub(super) fn with_unused_first(self) -> Option<Self> {
+        let leaves_out = !matches!(
+            self.columns,
+            Columns::Exact | Columns::Exchanged(..) | Columns::Without(_)
+        );
+        // Where a row ends at its first zero, columns are counted before.
+        let is_by_columns = self.kept == Kept::BeforeZero;
+        let chooses = self.kept != Kept::All
+            || self.rescaled != Rescaled::No
+            || self.is_normalized
+            || self.is_completed
+            || self.is_overwritten;
+        (leaves_out && chooses && !is_by_columns && !self.unused_first).then_some(Self {
+            unused_first: true,
+            ..self
+        })
+    }
 }
 
 /// What comes of the column at the end of a list beyond which there is none.

@@ -453,6 +453,34 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
             .as_ref()
             .is_some_and(|first| first.vertex < half)
     );
+    // Beside a joint that is not turned, which few of them leave nearly right.
+    let weights = figure.rows[0].iter().zip(1..);
+    let (_, joint) = weights.max_by(|a, b| a.0.total_cmp(b.0)).unwrap();
+    let not_turned = Figure::builtin("adult", |it| match it == joint {
+        true => Vec3::ZERO,
+        false => figure.degrees[it],
+    });
+    let name = format!(
+        "{} ({joint})",
+        figure.character.skeleton().joints()[joint].name
+    );
+    let mut theirs = RIGHT.skin(&not_turned);
+    let last = theirs.len() - 1;
+    theirs[last] = figure.positions[last];
+    let found = figure.diagnose(&written(&theirs, 6));
+    let Some(NearlyRight::ButForFewWith(mistake)) = found.nearly_right() else {
+        panic!("{found}");
+    };
+    assert_eq!((mistake.id, &*mistake.how), ("joint-not-turned", &*name));
+    assert_eq!(found.nearest.as_ref().unwrap().off, 1, "{found}");
+    theirs[half..].copy_from_slice(&figure.positions[half..]);
+    let found = figure.diagnose(&written(&theirs, 6));
+    assert_eq!(
+        found.together(),
+        ["joint-not-turned", "vertices-not-reached"],
+        "{found}"
+    );
+    assert_eq!(found.mistakes[0].how, name);
     // Vertices in between are no loop's, and few of them are told as what is nearly right.
     let found = without(half..half + 500, &at_rest);
     assert_eq!(found.verdict, Verdict::Unexplained, "{found}");

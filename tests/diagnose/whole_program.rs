@@ -2,7 +2,7 @@
 
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::named;
-use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
+use crate::diagnose::student::{RIGHT, Student, Weights, with, without_last_joint};
 use editor_core::character::Pose;
 use editor_core::character::skinning::skin_positions;
 use editor_core::diagnose::{Diagnosis, Verdict};
@@ -454,6 +454,35 @@ fn a_mistake_of_the_whole_program_is_named_beside_a_common_one() {
     causes.sort_unstable();
     assert_eq!(causes, ["euler-zyx", "joint-left-out"], "{found}");
     assert!(found.to_string().contains("(the last one)"), "{found}");
+    // A loop that ends before it chooses among those that are left.
+    let strongest: fn(Weights) -> Weights = |weights| {
+        let first = weights.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        first.map(|(joint, _)| (joint, 1.0)).into_iter().collect()
+    };
+    let all = Student {
+        weights: strongest,
+        ..RIGHT
+    };
+    let before = Student {
+        row: |row| row[..row.len() - 1].to_vec(),
+        ..all.clone()
+    };
+    let after = Student {
+        joint_of_column: |column| if column == 16 { usize::MAX } else { column + 1 },
+        ..all.clone()
+    };
+    let skinned = [all, before, after].map(|student| student.skin(&figure));
+    assert!(skinned[0] != skinned[1] && skinned[1] != skinned[2]);
+    for theirs in &skinned[1..] {
+        let found = figure.diagnose(&written(theirs, 6));
+        let mut causes = found.together();
+        causes.sort_unstable();
+        assert_eq!(
+            causes,
+            ["joint-left-out", "strongest-joint-only"],
+            "{found}"
+        );
+    }
 }
 
 #[test]
@@ -1302,6 +1331,37 @@ fn a_stack_that_is_popped_after_some_joints_alone_is_named_with_which() {
         let found = moved_by(&figure, |joint| t[joint] * right[joint].inverse());
         assert_named(&found, "stack-not-popped", &format!("{how}, in T"));
     }
+}
+
+#[test]
+fn a_stack_is_not_popped_beside_a_recursion_that_does_not_come_to_all_joints() {
+    /// Pushes what `own` has for `joint` and for those that hang on it, but for the last child of each. Pops nothing.
+    fn visit(figure: &Figure, own: &[Mat4], joint: usize, stack: &mut Stack, kept: &mut [Mat4]) {
+        let top = stack.last().copied().unwrap_or_default() * own[joint];
+        stack.push(top);
+        kept[joint] = top;
+        let children = (0..own.len()).filter(|&child| figure.parents[child] == Some(joint));
+        let mut children: Vec<usize> = children.collect();
+        children.pop();
+        for child in children {
+            visit(figure, own, child, stack, kept);
+        }
+    }
+    let figure = Figure::builtin("adult", turned(59));
+    let [own, _] = own_transforms(&figure);
+    let root = figure.parents.iter().position(Option::is_none).unwrap();
+    let skeleton = figure.character.skeleton();
+    let b = skeleton.update_current_joint_to_world_transforms(&Pose::new());
+    let mut t = vec![Mat4::ZERO; own.len()];
+    visit(&figure, &own, root, &mut Stack::new(), &mut t);
+    let found = moved_by(&figure, |joint| t[joint] * b[joint].inverse());
+    let mut causes = found.together();
+    causes.sort_unstable();
+    assert_eq!(
+        causes,
+        ["joints-not-reached", "stack-not-popped"],
+        "{found}"
+    );
 }
 
 /// A child of a joint.
