@@ -5,7 +5,7 @@ use super::pointing::Pointing;
 use super::posing::BAR_HEIGHT;
 use super::state::UiState;
 use super::theme::Palette;
-use super::widgets::named;
+use super::widgets::{cover, named};
 use crate::editor::{Session, Tool};
 use crate::scene::ShapeKind;
 use egui::{
@@ -48,10 +48,10 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) 
         return false;
     }
     let corner = pos2(view.left() + 12.0, view.bottom() - size.y - 12.0);
-    let builder = UiBuilder::new()
-        .id_salt("first help")
-        .max_rect(Rect::from_min_size(corner, size));
+    let place = Rect::from_min_size(corner, size);
+    let builder = UiBuilder::new().id_salt("first help").max_rect(place);
     let mut inner = ui.new_child(builder);
+    cover(&inner, place);
     let mut closed = false;
     Frame::popup(ui.style())
         .inner_margin(MARGIN)

@@ -2,7 +2,7 @@
 
 use super::Action;
 use super::theme::Palette;
-use super::widgets::{named, spoken};
+use super::widgets::{cover, named, spoken};
 use crate::editor::{Message, Messages, Session, Severity, View};
 use egui::{
     Align, Button, Color32, Frame, Label, Layout, Pos2, Rect, RichText, ScrollArea, TextStyle, Ui,
@@ -165,6 +165,7 @@ fn notice(ui: &mut Ui, message: &Message, foot: Pos2, widest: f32, opacity: f32)
             .max_rect(rect),
     );
     contents.multiply_opacity(opacity);
+    cover(&contents, rect);
     let frame = Frame::popup(ui.style()).inner_margin(0);
     contents.painter().add(frame.paint(rect));
 

@@ -6,8 +6,8 @@ use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
     Align, Align2, Button, CollapsingHeader, Color32, Context, EventFilter, FontId, Id, Key, Label,
-    Layout, Modifiers, Painter, PointerState, Popup, Pos2, RectAlign, Response, RichText, Sense,
-    Tooltip, Ui, Vec2, vec2,
+    Layout, Modifiers, Painter, PointerState, Popup, Pos2, Rect, RectAlign, Response, RichText,
+    Sense, Tooltip, Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -210,6 +210,11 @@ pub(super) fn moved(movement: ListMove, at: usize, count: usize) -> Option<usize
         ListMove::Down => Some((at + 1).min(last)),
         ListMove::Left | ListMove::Right => None,
     }
+}
+
+/// Keeps clicks and drags in `rect` from what is below it, such as the view. To be called before what is shown there.
+pub(super) fn cover(ui: &Ui, rect: Rect) {
+    ui.interact(rect, ui.id().with("cover"), Sense::CLICK | Sense::DRAG);
 }
 
 /// Behind lines and words over the scene, so that they stand out from whatever is there.

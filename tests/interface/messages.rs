@@ -3,6 +3,7 @@
 use crate::interface::Editor;
 use editor_core::editor::{Message, Severity};
 use egui::Key;
+use egui_kittest::kittest::Queryable;
 
 fn tell(editor: &mut Editor, severity: Severity, text: &str) {
     let messages = &mut editor.harness.state_mut().program.session_mut().messages;
@@ -48,6 +49,27 @@ fn what_is_being_read_does_not_fade() {
     editor.harness.hover_at(egui::pos2(300.0, 200.0));
     wait(&mut editor, 10);
     assert!(!editor.has("Saved a.png"));
+}
+
+#[test]
+fn a_click_on_a_notice_or_on_the_help_for_newcomers_is_none_in_the_view_below() {
+    let mut editor = Editor::with_figure();
+    let selected = editor.session().selected();
+    assert!(selected.is_some());
+    let camera = editor.session().view().camera;
+    editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    let check = "View ⏵ Compare with Mesh… tells what is wrong in yours";
+    let at = editor.harness.get_by_label(check).rect().center();
+    editor.click_at(at);
+    assert!(editor.has(check), "only its cross hides it");
+    editor.hand(at, at + egui::vec2(40.0, -20.0));
+    let text = "a.skel:3:1: no such parent";
+    tell(&mut editor, Severity::Error, text);
+    let at = editor.harness.get_by_label(text).rect().center();
+    editor.click_at(at);
+    assert_eq!(editor.session().selected(), selected);
+    assert_eq!(editor.session().view().camera, camera);
 }
 
 #[test]
