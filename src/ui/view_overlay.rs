@@ -288,7 +288,16 @@ fn status(
             (Some(name), "Drag to move it · Ctrl snaps".into())
         }
         Some((id, name)) if session.selected() != Some(id) => {
-            (Some(name), navigation.over_a_shape(pointing).into())
+            let curves = session.scene().curve(id);
+            let has_points = curves.is_some_and(|curves| curves.display.control_points);
+            let next = match has_points {
+                true => pointing.words(
+                    "Click to select it, then drag its control points",
+                    "Tap to select it, then drag its control points",
+                ),
+                false => navigation.over_a_shape(pointing),
+            };
+            (Some(name), next.into())
         }
         over => (
             over.map(|(_, name)| name),

@@ -4,7 +4,7 @@ use crate::interface::{Editor, curves};
 use editor_core::compare::{Area, CompareError, Differences, Finding, Judgment};
 use editor_core::editor::View;
 use editor_core::geometry::Picture;
-use editor_core::scene::{Look, Shading};
+use editor_core::scene::{Camera, Look, Shading};
 use editor_core::ui::{
     Ask, CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, DARK, LIGHT,
     ShownPicture, course_panels,
@@ -314,6 +314,64 @@ fn hints_name_what_a_user_can_do_about_the_differences() {
     assert_eq!(hints(&editor), [false, false, true]);
     editor.click("Mask its panels");
     assert_eq!(hints(&editor), [false, false, false]);
+}
+
+#[test]
+fn beside_a_picture_of_the_course_s_program_another_camera_is_told_with_the_key_to_its_first_one() {
+    const ONCE: &str =
+        "B's camera is not the one that the course's program starts with: Home leads there.";
+    const TWICE: &str = "B's camera is not the one that the course's program starts with: Home, pressed twice, leads \
+                         there.";
+    let told = |editor: &Editor| [ONCE, TWICE].map(|hint| editor.has(hint));
+    let judged = |findings: Vec<Finding>| CompareReport {
+        differences: Some(counts(240, 200)),
+        judgment: Some(Judgment {
+            ssim: None,
+            flip: 0.125,
+            findings,
+            figure: None,
+        }),
+        ..CompareReport::default()
+    };
+    let placed = judged(vec![Finding::Placed {
+        dx: 0,
+        dy: 0,
+        factor: 2.0,
+        degrees: 0.0,
+        unexplained: 0.0,
+    }]);
+    let mut editor = comparing();
+    editor.view(View::SetLook(Look::Course));
+    editor.view(View::SetCamera(Camera::default()));
+    report(&mut editor, placed.clone());
+    assert_eq!(told(&editor), [false, false], "it is that camera");
+    let mut closer = Camera::default();
+    closer.radius *= 0.5;
+    editor.view(View::SetCamera(closer));
+    report(&mut editor, placed.clone());
+    assert_eq!(told(&editor), [true, false]);
+    editor.key(Key::Home);
+    assert_eq!(editor.session().view().camera, Camera::default());
+    // Where the document begins with another camera that comes first.
+    let mut begins = Camera::default();
+    begins.radius *= 2.0;
+    editor.view(View::BeginAt(begins));
+    assert_eq!(told(&editor), [true, false]);
+    editor.view(View::SetCamera(closer));
+    assert_eq!(told(&editor), [false, true]);
+    editor.key(Key::Home);
+    editor.key(Key::Home);
+    assert_eq!(editor.session().view().camera, Camera::default());
+    editor.view(View::SetCamera(closer));
+    report(&mut editor, judged(vec![Finding::Gray]));
+    assert_eq!(told(&editor), [false, false], "nothing is elsewhere");
+    editor.view(View::SetLook(Look::Studio));
+    report(&mut editor, placed);
+    assert_eq!(
+        told(&editor),
+        [false, false],
+        "it is no camera of this look"
+    );
 }
 
 #[test]

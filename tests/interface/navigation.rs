@@ -220,6 +220,15 @@ fn over_a_shape_the_status_line_names_the_button_that_turns() {
         editor.settle();
         let said = format!("Click to select it · {turns}");
         assert!(editor.has(&said), "{navigation}");
+        // Only then a drag on one of its points moves that.
+        editor.choose(&["Insert", "Circle"]);
+        let circle = editor.shape().id;
+        editor.choose(&["Insert", "Cube"]);
+        editor.harness.state_mut().hovered_shape = Some(circle);
+        editor.settle();
+        let next = "Click to select it, then drag its control points";
+        assert!(editor.has(next), "{navigation}");
+        editor.harness.state_mut().hovered_shape = Some(sphere);
         editor.click("Move Tool");
         assert!(editor.has("Drag to move it · Ctrl snaps"), "{navigation}");
     }

@@ -27,7 +27,7 @@ pub const GESTURES: &[Gesture] = &[
     ),
     gesture(
         "Drag a control point",
-        "Move it; Esc or right click cancels",
+        "Move it, of a selected curve; Esc cancels",
     ),
     gesture("Wheel in the view", "Move the camera closer or away"),
     gesture("Pose: drag a bone", "Turn it, with Ctrl by 15°"),

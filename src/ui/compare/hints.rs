@@ -1,12 +1,33 @@
 //! What can be done about differences of pictures.
 
 use super::CompareView;
-use crate::compare::Differences;
-use crate::scene::Look;
+use crate::compare::{Differences, Finding};
+use crate::editor::Session;
+use crate::scene::{Camera, Look};
 
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
+
+const CAMERA: &str =
+    "B's camera is not the one that the course's program starts with: Home leads there.";
+const CAMERA_TWICE: &str = "B's camera is not the one that the course's program starts with: Home, pressed twice, leads there.";
+
+/// How to come to the camera that the course's program starts with, where another camera may be what `findings` show.
+pub(super) fn camera(session: &Session, findings: &[Finding]) -> Option<&'static str> {
+    let (view, first) = (session.view(), Camera::default());
+    let is_elsewhere = |finding: &Finding| match finding {
+        Finding::Placed { .. } => true,
+        Finding::Outline { only_a, only_b, .. } => *only_a > 0 && *only_b > 0,
+        _ => false,
+    };
+    let may_be_camera = view.look == Look::Course && view.camera != first;
+    // Home leads to where the document began first.
+    let begins = *session.start_camera();
+    let is_next = begins == first || begins == view.camera;
+    let hint = if is_next { CAMERA } else { CAMERA_TWICE };
+    (may_be_camera && findings.iter().any(is_elsewhere)).then_some(hint)
+}
 
 /// What the person at the panel can do about differences.
 pub(super) fn hints(

@@ -1,4 +1,4 @@
-use super::hints::hints;
+use super::hints::{self, hints};
 use super::outlined::Outlined;
 use super::page_figure::{self, FigureTold};
 use super::place::place;
@@ -320,6 +320,9 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
+                if let Some(hint) = hints::camera(session, &judgment.findings) {
+                    say(ui, hint, palette.strong);
+                }
                 for finding in &judgment.findings {
                     say(ui, &finding.sentence(), palette.strong);
                     if let Some((area, figure)) = finding.area().zip(judgment.figure) {
