@@ -203,7 +203,9 @@ impl Parts<'_> {
                 say(ui, &format!("{what} to within {off}."), palette.strong);
                 if !diagnosis.unseen.is_empty() {
                     let unseen = diagnosis.unseen.join(", ");
-                    let text = format!("Mistakes that would not show here: {unseen}");
+                    let text = format!(
+                        "Mistakes that, made in the usual way, would not show here: {unseen}"
+                    );
                     let ids = diagnosis.unseen.iter().copied();
                     label(ui, &text, palette.weak).on_hover_text(format!(
                         "{}\n\nA pose that turns joints about several axes shows more.",
