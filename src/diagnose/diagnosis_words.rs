@@ -14,7 +14,7 @@ const TOLD: usize = 5;
 const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
                             its angles";
 
-/// Many a mistake gives that, and these are the ones that are made.
+/// Many mistakes give that; these are the likely ones.
 const ALL_AT_ORIGIN: &str = "all vertices are at the origin: are the joints' matrices filled, and the inverse bind matrices? \
                              New ones are 0, and so are weights below 1 that are read as whole numbers";
 
