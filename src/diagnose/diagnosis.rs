@@ -69,6 +69,8 @@ pub struct Diagnosis {
     pub agrees: f64,
     /// The same among the vertices that the pose moves; 1 where it moves none.
     pub moved_agree: f64,
+    /// Share of the vertices that a loop comes to; 1 unless it leaves some at an end where they were.
+    pub reached: f64,
     /// Whether it is the mesh at rest as the character's file has it, where that is asked for: nearly right, since the
     /// weights do not quite sum to 1.
     pub is_as_in_file: bool,

@@ -37,7 +37,7 @@ pub(super) struct Findings<'a> {
 }
 
 /// Share of those that are right where `off` of so many are not; 1 of none.
-fn share_right(off: usize, of: usize) -> f64 {
+pub(super) fn share_right(off: usize, of: usize) -> f64 {
     1.0 - off as f64 / of.max(1) as f64
 }
 
@@ -65,6 +65,7 @@ impl Findings<'_> {
             others: Vec::new(),
             not_turned: Vec::new(),
             not_reached: None,
+            reached: 1.0,
             is_as_in_file: false,
             slight: Vec::new(),
             unseen: Vec::new(),

@@ -2,7 +2,7 @@
 
 use super::diagnose_vertices;
 use super::diagnosis::{Diagnosis, ToldMistake, Verdict};
-use super::findings::Findings;
+use super::findings::{Findings, share_right};
 use super::found_otherwise::VERTICES_NOT_REACHED;
 use super::model::Model;
 use super::nearest::NEARLY_ALL;
@@ -80,10 +80,14 @@ impl NotReached {
 
     /// What else gives the mesh, beside that the loop does not come to these.
     fn beside(&self, others: Diagnosis) -> Diagnosis {
-        others.beside(ToldMistake {
+        let both = others.beside(ToldMistake {
             how: format!("those {}", self.told).into(),
             ..ToldMistake::whole(&VERTICES_NOT_REACHED)
-        })
+        });
+        Diagnosis {
+            reached: share_right(self.left.len(), self.all),
+            ..both
+        }
     }
 
     /// The diagnosis of the mesh if the others are right, or what mistakes give.

@@ -68,13 +68,14 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
-    /// What its vertices count for by how near they are, or the share of the silhouette that agrees, 0 to 1.
+    /// What its vertices count for by how near they are, or the share of the silhouette that agrees, 0 to 1; where a loop leaves
+    /// vertices out, no less than the share of the others.
     pub near: f64,
     /// How much of the test's pose another one has, 0 to 1
     /// ([`OtherPose::as_expected`](crate::diagnose::OtherPose::as_expected)); 0 without another pose, and where that is the
     /// one of another test.
     pub posed: f64,
-    /// Of a picture that nothing explains, the test whose mesh of the submission it shows, by name.
+    /// Of a picture that nothing explains, or that is of another pose, the test whose mesh of the submission it shows, by name.
     pub shows: Option<String>,
     /// The other tests of which it is a result.
     pub of_tests: Vec<OfTest>,

@@ -71,14 +71,16 @@ fn meshes_that_are_all_one_pose_late_are_named_in_whatever_order_a_program_has_m
 }
 
 #[test]
-fn a_picture_of_the_first_mesh_of_a_late_program_is_late_as_well() {
+fn a_picture_of_a_mesh_of_a_late_program_is_late_as_well() {
     let class = Class::new(&["robot", "robot", "robot"]);
     let mut tests = class.tests_file();
-    let mut picture = tests["tests"][0].clone();
-    picture["name"] = "front".into();
-    picture["kind"] = "picture".into();
-    picture["size"] = json!([400, 300]);
-    tests["tests"].as_array_mut().unwrap().push(picture);
+    for (test, name) in [(0, "front"), (2, "last")] {
+        let mut picture = tests["tests"][test].clone();
+        picture["name"] = name.into();
+        picture["kind"] = "picture".into();
+        picture["size"] = json!([400, 300]);
+        tests["tests"].as_array_mut().unwrap().push(picture);
+    }
     class.set_tests(&tests);
     let right = with(&[]);
     let rest = class.tests[0].1.positions.clone();
@@ -88,15 +90,16 @@ fn a_picture_of_the_first_mesh_of_a_late_program_is_late_as_well() {
     // Nothing is posed at all.
     (0..3).for_each(|test| write_mesh(&class, "bob", test, &rest));
     for student in ["ann", "bob"] {
-        let [mesh, picture] =
-            ["robot-1.obj", "front.png"].map(|it| format!("class/{student}/{it}"));
-        let words = ["render", &mesh, "--size", "400x300", "-o", &picture];
-        let ran = editor_in(class.path(), &words);
-        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        for files in [["robot-1.obj", "front.png"], ["robot-3.obj", "last.png"]] {
+            let [mesh, picture] = files.map(|it| format!("class/{student}/{it}"));
+            let words = ["render", &mesh, "--size", "400x300", "-o", &picture];
+            let ran = editor_in(class.path(), &words);
+            assert_eq!(ran.code, Some(0), "{}", ran.err);
+        }
     }
     let report = class.graded();
     for (student, cause) in [("ann", "pose-late"), ("bob", "pose-not-applied")] {
-        for test in ["robot-1", "front"] {
+        for test in ["robot-1", "front", "robot-3", "last"] {
             let found = result(&report, student, test);
             assert_eq!(
                 found["causes"][0],

@@ -93,6 +93,32 @@ fn of_a_mesh_with_one_vertex_more_it_is_known_how_much_of_it_is_right() {
 }
 
 #[test]
+fn a_loop_that_ends_early_costs_as_much_beside_another_mistake_by_the_share_that_it_comes_to() {
+    let class = Class::new(&["adult"]);
+    let (test, figure) = &class.tests[0];
+    let zyx = with(&["euler-zyx"]).skin(figure);
+    let all = zyx.len();
+    let ends = [0.5, 0.95, 0.985].map(|share| (share * all as f64) as usize);
+    for end in ends {
+        let mut places = zyx.clone();
+        places[end..].copy_from_slice(&figure.positions[end..]);
+        let text = obj(&places, figure, |number| number.to_string());
+        class.write(&format!("class/to {end}/{test}.obj"), text);
+    }
+    let report = class.graded();
+    for end in ends {
+        let found = result(&report, &format!("to {end}"), test);
+        let causes = json!([["euler-zyx", "vertices-not-reached"]]);
+        assert_eq!(found["causes"], causes, "{found}");
+        let reached = end as f64 / all as f64;
+        let expected = 5.0 + 4.0 * ((reached - 0.9) / 0.09).clamp(0.0, 1.0);
+        let points = found["points"]["4.2"].as_f64().unwrap();
+        assert!((points - expected).abs() < 0.01, "{points} {expected}");
+        assert_eq!(found["points"]["3.4"], 3.0);
+    }
+}
+
+#[test]
 #[expect(clippy::approx_constant, reason = "students write π so")]
 fn what_nobody_sees_beside_a_mistake_costs_as_little_as_alone() {
     let class = Class::new(&["robot"]);

@@ -195,7 +195,8 @@ impl Work<'_> {
         let graded = match read {
             Ok(bytes) => {
                 let graded = test.grade(&bytes, self.tests);
-                let is_open = graded.outcome == Outcome::Unexplained;
+                // Another pose, too, may be the one that the mesh is in.
+                let is_open = matches!(graded.outcome, Outcome::Unexplained | Outcome::OtherPose);
                 let shown = mesh.filter(|mesh| is_open && test.shows(&bytes, mesh));
                 let mesh = shown.and(test.mesh_test(self.tests));
                 Graded {

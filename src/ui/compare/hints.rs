@@ -10,10 +10,11 @@ const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
 const CAMERA: &str =
-    "B's camera is not the one that the course's program starts with: Home leads there.";
-const CAMERA_TWICE: &str = "B's camera is not the one that the course's program starts with: Home, pressed twice, leads there.";
+    "If A has the camera that the course's program starts with: Home gives it to B.";
+const CAMERA_TWICE: &str = "If A has the camera that the course's program starts with: Home, pressed twice, gives it to B.";
 
-/// How to come to the camera that the course's program starts with, where another camera may be what `findings` show.
+/// How to come to the camera that the course's program starts with, where another camera may be what `findings` show, or
+/// behind what they do not explain.
 pub(super) fn camera(session: &Session, findings: &[Finding]) -> Option<&'static str> {
     let (view, first) = (session.view(), Camera::default());
     let is_elsewhere = |finding: &Finding| match finding {
@@ -26,7 +27,8 @@ pub(super) fn camera(session: &Session, findings: &[Finding]) -> Option<&'static
     let begins = *session.start_camera();
     let is_next = begins == first || begins == view.camera;
     let hint = if is_next { CAMERA } else { CAMERA_TWICE };
-    (may_be_camera && findings.iter().any(is_elsewhere)).then_some(hint)
+    let is_open = findings.is_empty() || findings.iter().any(is_elsewhere);
+    (may_be_camera && is_open).then_some(hint)
 }
 
 /// What the person at the panel can do about differences.

@@ -320,9 +320,6 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
-                if let Some(hint) = hints::camera(session, &judgment.findings) {
-                    say(ui, hint, palette.strong);
-                }
                 for finding in &judgment.findings {
                     say(ui, &finding.sentence(), palette.strong);
                     if let Some((area, figure)) = finding.area().zip(judgment.figure) {
@@ -349,6 +346,9 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                             link(ui, &place, area, outlined);
                         }
                     }
+                }
+                if let Some(hint) = hints::camera(session, &judgment.findings) {
+                    say(ui, hint, palette.text);
                 }
             }
             _ => {
