@@ -319,8 +319,8 @@ fn hints_name_what_a_user_can_do_about_the_differences() {
 #[test]
 fn beside_a_picture_of_the_course_s_program_another_camera_is_told_with_the_key_to_its_first_one() {
     const ONCE: &str =
-        "If A has the camera that the course's program starts with: Home gives it to B.";
-    const TWICE: &str = "If A has the camera that the course's program starts with: Home, pressed twice, gives it to B.";
+        "If A has the camera that the course's program starts with, Home gives it to B.";
+    const TWICE: &str = "If A has the camera that the course's program starts with, Home, pressed twice, gives it to B.";
     let told = |editor: &Editor| [ONCE, TWICE].map(|hint| editor.has(hint));
     let judged = |findings: Vec<Finding>| CompareReport {
         differences: Some(counts(240, 200)),

@@ -10,8 +10,8 @@ const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
 const CAMERA: &str =
-    "If A has the camera that the course's program starts with: Home gives it to B.";
-const CAMERA_TWICE: &str = "If A has the camera that the course's program starts with: Home, pressed twice, gives it to B.";
+    "If A has the camera that the course's program starts with, Home gives it to B.";
+const CAMERA_TWICE: &str = "If A has the camera that the course's program starts with, Home, pressed twice, gives it to B.";
 
 /// How to come to the camera that the course's program starts with, where another camera may be what `findings` show, or
 /// behind what they do not explain.
