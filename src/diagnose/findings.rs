@@ -94,18 +94,13 @@ impl Findings<'_> {
 
     /// The diagnosis of a mesh all vertices of which are in one place; `None` of any other, and where they should be.
     pub(super) fn in_one_place(&self) -> Option<Diagnosis> {
-        let (first, exact) = (self.theirs.first()?, self.exact.first()?);
-        let are_apart = |placed: &Placed| placed.distance(exact.at) > self.tolerance;
-        let is_so = first.is_finite()
-            && self.theirs.iter().all(|place| place == first)
-            && self.exact.iter().any(are_apart);
-        is_so.then(|| {
-            let at = first.to_array();
-            Diagnosis {
-                regions: self.regions(),
-                findings: vec![OfTheWhole(MeshFinding::OnePlace { at })],
-                ..self.diagnosis(Verdict::Unexplained)
-            }
+        let found = MeshFinding::one_place(self.theirs.iter().copied())?;
+        let first = self.exact.first()?.at;
+        let are_apart = |placed: &Placed| placed.distance(first) > self.tolerance;
+        self.exact.iter().any(are_apart).then(|| Diagnosis {
+            regions: self.regions(),
+            findings: vec![OfTheWhole(found)],
+            ..self.diagnosis(Verdict::Unexplained)
         })
     }
 

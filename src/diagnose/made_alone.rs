@@ -220,10 +220,7 @@ impl<'a> MadeAlone<'a> {
     /// A joint by name and index, as the file counts them.
     pub(super) fn named(&self, joint: Option<usize>) -> String {
         match joint {
-            Some(index) => {
-                let name = &self.search.model.skeleton().joints()[index].name;
-                format!("{name} ({index})")
-            }
+            Some(index) => self.search.model.named(index),
             None => "no joint".to_owned(),
         }
     }

@@ -45,6 +45,12 @@ impl<'a> Model<'a> {
         self.character.skeleton()
     }
 
+    /// A joint by its name and its number, as the file counts them.
+    pub(super) fn named(&self, joint: usize) -> String {
+        let name = &self.skeleton().joints()[joint].name;
+        format!("{name} ({joint})")
+    }
+
     pub(super) fn triangles(&self) -> &'a [[u32; 3]] {
         &self.character.bind_mesh().triangles
     }

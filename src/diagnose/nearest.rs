@@ -2,11 +2,10 @@
 
 use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
-use super::model::Model;
 use super::not_turned::Lacking;
 use super::search::{Alone, Search};
 use super::skin::Skinner;
-use crate::character::Pose;
+use super::ways::formula;
 use crate::steps::Pace;
 use serde::Serialize;
 
@@ -40,8 +39,6 @@ impl Nearest {
 /// leaves the least, if it explains much.
 pub(super) async fn find(
     search: &Search<'_>,
-    model: &Model<'_>,
-    pose: &Pose,
     order: VertexOrder,
     alone: &[Alone],
     pace: &Pace,
@@ -50,49 +47,43 @@ pub(super) async fn find(
         vertex_order: order,
         ..Formula::default()
     };
-    let exact = search.nearness(&mut Skinner::new(model, pose, &exact));
+    let mut skinner = Skinner::new(search.model, search.pose, &exact);
+    let exact = search.nearness(&mut skinner);
     let off = exact.mean.min(search.distance_from_middle());
-    let told = |one: &Alone, vertices: usize| {
-        let agrees = 1.0 - vertices as f64 / search.theirs.len() as f64;
-        Nearest {
-            mistake: ToldMistake::new(one.made),
-            explains: 1.0 - one.nearness.mean / off,
-            agrees,
-            off: vertices,
-        }
+    let told = |mistake: ToldMistake, mean: f64, vertices: usize| Nearest {
+        mistake,
+        explains: 1.0 - mean / off,
+        agrees: 1.0 - vertices as f64 / search.theirs.len() as f64,
+        off: vertices,
+    };
+    let of = |one: &Alone| {
+        let vertices = search.off(&formula(&[one.made]))?;
+        let mistake = ToldMistake::new(one.made);
+        Some(told(mistake, one.nearness.mean, vertices))
     };
     let most = alone.iter().rev().max_by_key(|one| one.nearness.agreeing)?;
     if most.nearness.agreeing > exact.agreeing
-        && let Some(nearest) = search.off(most.made).map(|vertices| told(most, vertices))
-        && nearest.is_nearly_all()
+        && let Some(nearest) = of(most).filter(Nearest::is_nearly_all)
     {
         return Some(nearest);
     }
     if order == VertexOrder::File
-        && let Some(nearest) = joint_not_turned(search, off, pace).await
+        && let Some((mistake, mean, vertices)) = joint_not_turned(search, pace).await
     {
-        return Some(nearest);
+        return Some(told(mistake, mean, vertices));
     }
     let best = alone
         .iter()
         .min_by(|a, b| a.nearness.mean.total_cmp(&b.nearness.mean))?;
-    let nearest = told(best, search.off(best.made)?);
-    (nearest.explains >= EXPLAINS_MUCH).then_some(nearest)
+    of(best).filter(|nearest| nearest.explains >= EXPLAINS_MUCH)
 }
 
-/// A joint that, not turned, gives nearly all vertices, and more than the exact formula does, if there is one. The mean distance
-/// that it leaves is told as a part of `off`.
-async fn joint_not_turned(search: &Search<'_>, off: f64, pace: &Pace) -> Option<Nearest> {
-    let all = search.theirs.len();
-    let most = ((1.0 - NEARLY_ALL) * all as f64) as usize;
-    let (mistake, vertices, mean) = Lacking::new(search)?.giving_all_but(most, pace).await?;
-    let mut exact = Skinner::new(search.model, search.pose, &Formula::default());
-    let is_off = |it: &usize| search.distance(&mut exact, *it) > search.tolerance;
-    let is_nearer = (0..all).filter(is_off).count() > vertices;
-    is_nearer.then(|| Nearest {
-        mistake,
-        explains: 1.0 - mean / off,
-        agrees: 1.0 - vertices as f64 / all as f64,
-        off: vertices,
-    })
+/// A joint that, not turned, gives nearly all vertices, and more than the exact formula does, if there is one, with the mean
+/// distance that it leaves and how many vertices it does not give.
+async fn joint_not_turned(search: &Search<'_>, pace: &Pace) -> Option<(ToldMistake, f64, usize)> {
+    let most = ((1.0 - NEARLY_ALL) * search.theirs.len() as f64) as usize;
+    let found = Lacking::new(search)?.giving_all_but(most, pace).await?;
+    let (.., vertices) = found;
+    let exact = search.off(&Formula::default())?;
+    (exact > vertices).then_some(found)
 }

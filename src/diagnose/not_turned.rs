@@ -76,7 +76,7 @@ impl<'a> Lacking<'a> {
             let Some(given) = given else { continue };
             if !self.is_right_in(pose, pace).await {
                 found.push(Explanation {
-                    how: Some(self.named(*joint)),
+                    how: Some(self.search.model.named(*joint)),
                     ..given
                 });
             }
@@ -102,45 +102,39 @@ impl<'a> Lacking<'a> {
             found.extend(error.map(|error| Explanation {
                 made: vec![Made::by_numbers(&JOINT_NOT_TURNED)],
                 error,
-                how: Some(self.named(*joint)),
+                how: Some(search.model.named(*joint)),
             }));
             pace.after(vertices.len()).await;
         }
         found
     }
 
-    /// The joint that, not turned, gives all vertices but the fewest and at most so many, with how many these are and the mean
-    /// distance that is left.
+    /// The joint that, not turned, gives all vertices but the fewest and at most so many, with the mean distance that is left
+    /// and how many these are.
     pub(super) async fn giving_all_but(
         &self,
         most: usize,
         pace: &Pace,
-    ) -> Option<(ToldMistake, usize, f64)> {
+    ) -> Option<(ToldMistake, f64, usize)> {
         let search = self.search;
-        let mut best: Option<(usize, usize, f64)> = None;
+        let mut best: Option<(usize, f64, usize)> = None;
         for (joint, pose) in &self.poses {
             let mut skinner = Skinner::new(search.model, pose, &Formula::default());
             let all = 0..search.theirs.len();
             let off = all.filter(|&it| search.distance(&mut skinner, it) > search.tolerance);
             let off = off.take(most + 1).count();
-            if off <= most && best.is_none_or(|(_, known, _)| off < known) {
-                best = Some((*joint, off, search.nearness(&mut skinner).mean));
+            if off <= most && best.is_none_or(|(.., known)| off < known) {
+                best = Some((*joint, search.nearness(&mut skinner).mean, off));
             }
             pace.after(search.theirs.len()).await;
         }
-        best.map(|(joint, off, mean)| {
+        best.map(|(joint, mean, off)| {
             let told = ToldMistake {
-                how: self.named(joint).into(),
+                how: search.model.named(joint).into(),
                 ..ToldMistake::whole(&JOINT_NOT_TURNED)
             };
-            (told, off, mean)
+            (told, mean, off)
         })
-    }
-
-    /// A joint by name and index.
-    fn named(&self, joint: usize) -> String {
-        let name = &self.search.model.skeleton().joints()[joint].name;
-        format!("{name} ({joint})")
     }
 
     /// Whether the mesh is right in `pose`, which lacks a joint, or without one more.

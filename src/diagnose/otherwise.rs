@@ -72,7 +72,7 @@ pub(super) async fn find(
         }
     }
     alone.extend(search.near_whole_program(pace).await);
-    found.nearest = nearest::find(search, model, pose, order, &alone, pace).await;
+    found.nearest = nearest::find(search, order, &alone, pace).await;
     // Of a mesh that is off elsewhere, too, an end that is at rest says nothing.
     let is_told = |left: &NotReached| match found.nearly_right() {
         Some(NearlyRight::ButForFew) => left.are_all_off(findings),

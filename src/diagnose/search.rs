@@ -295,9 +295,9 @@ impl<'a> Search<'a> {
         away.sum::<f64>() / count
     }
 
-    /// How many vertices of all are off from the mesh with one mistake.
-    pub(super) fn off(&self, made: Made) -> Option<usize> {
-        let mut skinner = self.skinner(&formula(&[made]))?;
+    /// How many vertices of all are off from the mesh that a formula gives; `None` if it cannot give it.
+    pub(super) fn off(&self, formula: &Formula) -> Option<usize> {
+        let mut skinner = self.skinner(formula)?;
         let all = 0..self.theirs.len();
         let off = all.filter(|&index| self.distance(&mut skinner, index) > self.tolerance);
         Some(off.count())

@@ -5,7 +5,7 @@ use super::formula::{Factor, Factors, Formula};
 use super::joint_transforms::Joints;
 use super::model::Model;
 use super::skin::keep;
-use crate::character::{Character, Influence, Pose};
+use crate::character::{Character, Pose};
 use glam::{DMat4, DVec3, DVec4, Vec4Swizzles};
 
 /// How a formula moves a vertex: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, or what a mistake makes of it. Points are in
@@ -72,13 +72,8 @@ impl VertexFormula {
         let rest = shaped.xyz();
         let source = model.source(formula.vertex_order, vertex);
         let influences = model.influences_by(formula.weights.rows, source.weights);
-        let is_used = |one: &&Influence| {
-            let joint = joints.moved_by(formula.weights.columns, one.joint as usize);
-            !formula.weights.unused_first || joint.is_some()
-        };
-        let counted: Vec<Influence> = influences.iter().filter(is_used).copied().collect();
         let mut kept = Vec::new();
-        keep(&counted, formula.weights, &mut kept);
+        keep(influences, formula.weights, &mut kept);
         kept.sort_by_key(|&(index, _)| index);
         let first = kept
             .first()

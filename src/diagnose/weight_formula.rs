@@ -19,7 +19,8 @@ pub struct WeightFormula {
     pub is_overwritten: bool,
     /// Which joint each belongs to.
     pub columns: Columns,
-    /// Whether weights whose columns are taken for no joint are left out before all that, and not of what is kept.
+    /// Whether weights whose columns are taken for no joint are left out before all that, and not of what is kept. Only two
+    /// mistakes together tell that apart.
     pub unused_first: bool,
     /// Factor of each in the end.
     pub factor: f64,
@@ -150,13 +151,17 @@ impl WeightFormula {
             Columns::Exact | Columns::Exchanged(..) | Columns::Without(_)
         );
         // Where a row ends at its first zero, columns are counted before.
-        let is_by_columns = self.kept == Kept::BeforeZero;
-        let chooses = self.kept != Kept::All
-            || self.rescaled != Rescaled::No
-            || self.is_normalized
-            || self.is_completed
-            || self.is_overwritten;
-        (leaves_out && chooses && !is_by_columns && !self.unused_first).then_some(Self {
+        let chooses = match self.kept {
+            Kept::BeforeZero => false,
+            Kept::All => {
+                self.rescaled != Rescaled::No
+                    || self.is_normalized
+                    || self.is_completed
+                    || self.is_overwritten
+            }
+            Kept::Largest(_) | Kept::First(_) | Kept::From(_) => true,
+        };
+        (leaves_out && chooses).then_some(Self {
             unused_first: true,
             ..self
         })

@@ -43,7 +43,7 @@ pub(super) fn ground_below(session: &Session, id: ShapeId) -> Option<f32> {
         .geometry
         .mesh
         .bounds()
-        .transformed(upright(shape))
+        .transformed(shape.upright().world_from_model())
         .size();
     let is_near = |one: f32, other: f32| (one - other).abs() <= OFF_THE_GROUND * size.y;
     if is_near(feet, ground) {
@@ -79,16 +79,8 @@ fn lowest_at_start(shape: &Shape, shown: &EvaluatedShape) -> f32 {
 
 /// The same of the shape turned as it began.
 fn feet(shape: &Shape, shown: &EvaluatedShape) -> f32 {
-    lowest(&shown.geometry.mesh.positions, upright(shape))
-}
-
-/// Transform from a shape's model space to the world, were it turned as it began.
-fn upright(shape: &Shape) -> Mat4 {
-    let upright = Transform {
-        rotation: shape.start.transform.rotation,
-        ..shape.placement.transform
-    };
-    upright.world_from_model()
+    let upright = shape.upright().world_from_model();
+    lowest(&shown.geometry.mesh.positions, upright)
 }
 
 /// Least height, in the world, of `positions` in a model's space.

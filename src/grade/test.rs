@@ -148,11 +148,11 @@ impl Test {
             return Graded::without(Outcome::Blank, found.told(&name));
         }
         warnings.extend(no_numbers.as_ref().map(|found| found.told(&name)));
-        let places = &theirs.positions;
-        if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
-            let at = places[0].as_dvec3().to_array();
-            let why = OfTheWhole(MeshFinding::OnePlace { at }).to_string();
-            return Graded::without(Outcome::Blank, why);
+        let places = theirs.positions.iter().map(|place| place.as_dvec3());
+        if places.len() > 1
+            && let Some(found) = MeshFinding::one_place(places)
+        {
+            return Graded::without(Outcome::Blank, OfTheWhole(found).to_string());
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {

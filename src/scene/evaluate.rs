@@ -1,6 +1,6 @@
 use super::deformation::Deformation;
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
-use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
+use super::{CharacterShape, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::{Skinned, StickFigure};
 use crate::geometry::{Normals, SharedMesh, TriangleBoxes, enclosed_volume};
 use crate::math::{Aabb, Ray, Transform, TriangleHit};
@@ -196,13 +196,8 @@ fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
         None => geometry.mesh.bounds(),
     };
     let middle = bounds.center();
-    let heights = |placement: &Placement| {
-        let transform = placement.transform;
+    let heights = |transform: Transform, upright: Transform| {
         let world_from_model = transform.world_from_model();
-        let upright = Transform {
-            rotation: shape.start.transform.rotation,
-            ..transform
-        };
         [
             transform.position.y,
             world_from_model.transform_point3(middle).y,
@@ -210,7 +205,8 @@ fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
             bounds.transformed(upright.world_from_model()).min.y,
         ]
     };
-    let (before, now) = (heights(&shape.start), heights(&shape.placement));
+    let (start, now) = (shape.start.transform, shape.placement.transform);
+    let (before, now) = (heights(start, start), heights(now, shape.upright()));
     let down = before.into_iter().zip(now);
     let down = down.map(|(before, now)| (before - now).max(0.0));
     // The middle of nothing is nowhere, and has not sunk either.

@@ -49,6 +49,14 @@ impl Shape {
         front(&self.kind, &self.placement)
     }
 
+    /// Its transform, were it turned as it began.
+    pub fn upright(&self) -> Transform {
+        Transform {
+            rotation: self.start.transform.rotation,
+            ..self.placement.transform
+        }
+    }
+
     /// Path of the file that it came from, if it came from one.
     pub fn source_file(&self) -> Option<&str> {
         self.source.as_ref().map(|source| &*source.file)

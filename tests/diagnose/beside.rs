@@ -2,6 +2,7 @@
 //! beside another mistake.
 
 use crate::diagnose::figures::{Figure, turned, written};
+use crate::diagnose::sorted;
 use crate::diagnose::student::{Student, Weights, with};
 use editor_core::diagnose::Verdict;
 use glam::Vec3;
@@ -42,8 +43,7 @@ fn adult() -> Figure {
 #[track_caller]
 fn assert_both(theirs: &[Vec3], other: &str, id: &str, how: &str) {
     let found = adult().diagnose(&written(theirs, 6));
-    let mut together = found.together();
-    together.sort_unstable();
+    let together = sorted(&found);
     let mut expected = [other, id];
     expected.sort_unstable();
     assert_eq!(together, expected, "{found}");
@@ -288,8 +288,7 @@ fn a_sum_that_is_overwritten_is_named_beside_weights_that_are_left_out() {
         ..with(&[])
     };
     let found = adult().diagnose(&written(&both.skin(&adult()), 6));
-    let mut together = found.together();
-    together.sort_unstable();
+    let together = sorted(&found);
     assert_eq!(
         together,
         ["influences-cut-fewer", "sum-overwritten"],

@@ -3,6 +3,7 @@
 use crate::collada::support::{
     Skin, controllers, document, geometries, geometry, import_clean, joint, skinned, triangles,
 };
+use crate::diagnose::sorted;
 use editor_core::character::{Character, Pose};
 use editor_core::diagnose::{Mistake, ToldFor, Verdict, diagnose};
 use editor_core::geometry::Mesh;
@@ -169,8 +170,7 @@ fn what_is_left_out_of_a_collada_skin_is_named_though_its_joints_are_turned_at_r
         ),
     ] {
         let found = diagnose(&character, &pose, &theirs).unwrap();
-        let mut told = found.together();
-        told.sort_unstable();
+        let told = sorted(&found);
         assert_eq!(told, ids, "{found}");
         assert!(found.error < 1e-5, "{found}");
     }
@@ -311,8 +311,7 @@ fn angles_about_a_bones_own_axes_are_named_beside_another_mistake() {
     let about_bones = about_bones([0, 1].map(rotation));
     let theirs = theirs(|joint| about_bones[joint] * rest[joint].inverse().transpose() * shape);
     let found = diagnose(&arm(), &pose(), &theirs).unwrap();
-    let mut told = found.together();
-    told.sort_unstable();
+    let told = sorted(&found);
     assert_eq!(told, ["angles-about-bones", "matrix-transposed"], "{found}");
 }
 

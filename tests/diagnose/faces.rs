@@ -2,6 +2,7 @@
 
 use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, obj, turned};
+use crate::diagnose::sorted;
 use crate::diagnose::student::{RIGHT, Student, with};
 use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, Diagnosis, FaceDifference, Verdict, diagnose};
@@ -320,8 +321,7 @@ fn of_a_mesh_with_a_vertex_for_each_corner_no_triangle_is_missing_whatever_else_
             id => with(&[id]),
         };
         let found = figure.diagnose(&at_corners(&student));
-        let mut told = found.together();
-        told.sort_unstable();
+        let told = sorted(&found);
         assert_eq!(told, [id, "vertices-renumbered"], "{found}");
         assert_eq!((found.faces.missing, found.faces.other), (0, 0), "{found}");
     }

@@ -104,6 +104,12 @@ impl Figure {
         Self::builtin(name, |joint| pose.rotation(joint).degrees())
     }
 
+    /// The same with one joint that is not turned.
+    pub fn without(mut self, joint: usize) -> Self {
+        self.degrees[joint] = Vec3::ZERO;
+        self
+    }
+
     pub fn pose(&self) -> Pose {
         let mut pose = Pose::new();
         for (joint, &degrees) in self.degrees.iter().enumerate() {

@@ -25,6 +25,13 @@ mod whole_program;
 
 use editor_core::diagnose::{Diagnosis, Verdict};
 
+/// Mistakes that together give a mesh, by name: which accounts for more is another matter.
+fn sorted(found: &Diagnosis) -> Vec<&'static str> {
+    let mut together = found.together();
+    together.sort_unstable();
+    together
+}
+
 /// The causes that are named for a mesh, each with those that are made beside it.
 fn named(found: &Diagnosis) -> Vec<Vec<&'static str>> {
     let first = (found.verdict == Verdict::Explained).then(|| found.together());

@@ -93,8 +93,7 @@ fn numbers_that_are_off_by_one_in_a_skins_list_are_named_by_what_becomes_of_the_
         assert_eq!(found.together(), [id], "{how}: {found}");
         assert_eq!(found.mistakes[0].how, how, "{found}");
         let found = diagnose(&character, &pose, &theirs(false, off)).unwrap();
-        let mut together = found.together();
-        together.sort_unstable();
+        let together = sorted(&found);
         assert_eq!(together, ["no-inverse-bind", id], "{how}: {found}");
         let shifted = found.mistakes.iter().find(|mistake| mistake.id == id).unwrap();
         assert_eq!(shifted.how, how, "{found}");

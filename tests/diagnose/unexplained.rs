@@ -2,6 +2,7 @@
 
 use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, turned, written};
+use crate::diagnose::sorted;
 use crate::diagnose::student::{RIGHT, Student, Weights, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
@@ -196,8 +197,7 @@ fn digits_that_are_cut_off_are_told_and_mistakes_are_named_beside_them() {
             for ids in [&["euler-zyx"][..], &["euler-zyx", "strongest-joint-only"]] {
                 let theirs = cut(&with(ids).skin(&figure), digits, way);
                 let found = figure.diagnose(&theirs);
-                let mut mistakes = found.together();
-                mistakes.sort_unstable();
+                let mistakes = sorted(&found);
                 assert_eq!(mistakes, ids, "{name} {digits}: {found}");
                 let told = format!("its numbers are cut off to {step} instead of rounded");
                 assert!(found.to_string().contains(&told), "{found}");
@@ -225,8 +225,7 @@ fn a_mistake_that_agrees_within_the_last_of_few_digits_is_named() {
         let theirs = with(ids).skin(&figure);
         let found = figure.diagnose(&written(&theirs, 2));
         assert_eq!(found.verdict, Verdict::Explained, "{ids:?}: {found}");
-        let mut mistakes = found.together();
-        mistakes.sort_unstable();
+        let mistakes = sorted(&found);
         assert_eq!((&*mistakes, &*found.same_as), (ids, &[][..]), "{found}");
         assert!(!found.coarse.unwrap().may_be_right);
         let told = "its numbers are rounded to 0.01, which may hide smaller mistakes: write at least 4 digits after the point";
@@ -297,10 +296,7 @@ fn no_joint_above_one_that_is_not_turned_shows_it() {
         let figure = Figure::builtin(name, &all);
         let joints = figure.character.skeleton().joints();
         for joint in 0..joints.len() {
-            let posed = Figure::builtin(name, |other| match other == joint {
-                true => Vec3::ZERO,
-                false => all(other),
-            });
+            let posed = Figure::builtin(name, &all).without(joint);
             let found = figure.diagnose(&RIGHT.skin(&posed));
             let Some(first) = found.first.as_ref().and_then(|first| first.joint_index) else {
                 continue;
@@ -456,15 +452,11 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
     // Beside a joint that is not turned, which few of them leave nearly right.
     let weights = figure.rows[0].iter().zip(1..);
     let (_, joint) = weights.max_by(|a, b| a.0.total_cmp(b.0)).unwrap();
-    let not_turned = Figure::builtin("adult", |it| match it == joint {
-        true => Vec3::ZERO,
-        false => figure.degrees[it],
-    });
     let name = format!(
         "{} ({joint})",
         figure.character.skeleton().joints()[joint].name
     );
-    let mut theirs = RIGHT.skin(&not_turned);
+    let mut theirs = RIGHT.skin(&adult().without(joint));
     let last = theirs.len() - 1;
     theirs[last] = figure.positions[last];
     let found = figure.diagnose(&written(&theirs, 6));

@@ -1,8 +1,8 @@
 //! Mistakes of a whole program that are sought by themselves alone, or in the weights of a joint or two.
 
 use crate::diagnose::figures::{Figure, turned, written};
-use crate::diagnose::named;
-use crate::diagnose::student::{RIGHT, Student, Weights, with, without_last_joint};
+use crate::diagnose::student::{RIGHT, Student, with, without_last_joint};
+use crate::diagnose::{named, sorted};
 use editor_core::character::Pose;
 use editor_core::character::skinning::skin_positions;
 use editor_core::diagnose::{Diagnosis, Verdict};
@@ -442,27 +442,18 @@ fn a_mistake_of_the_whole_program_is_named_beside_a_common_one() {
     let begun = zyx.skin(&figure).into_iter().zip(&figure.positions);
     let begun: Vec<Vec3> = begun.map(|(sum, rest)| sum + *rest).collect();
     let found = figure.diagnose(&written(&begun, 6));
-    let mut causes = found.together();
-    causes.sort_unstable();
+    let causes = sorted(&found);
     assert_eq!(causes, ["euler-zyx", "sum-begun-at-rest"], "{found}");
     let last_left_out = Student {
         weights: without_last_joint,
         ..zyx
     };
     let found = figure.diagnose(&written(&last_left_out.skin(&figure), 6));
-    let mut causes = found.together();
-    causes.sort_unstable();
+    let causes = sorted(&found);
     assert_eq!(causes, ["euler-zyx", "joint-left-out"], "{found}");
     assert!(found.to_string().contains("(the last one)"), "{found}");
     // A loop that ends before it chooses among those that are left.
-    let strongest: fn(Weights) -> Weights = |weights| {
-        let first = weights.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
-        first.map(|(joint, _)| (joint, 1.0)).into_iter().collect()
-    };
-    let all = Student {
-        weights: strongest,
-        ..RIGHT
-    };
+    let all = with(&["strongest-joint-only"]);
     let before = Student {
         row: |row| row[..row.len() - 1].to_vec(),
         ..all.clone()
@@ -475,8 +466,7 @@ fn a_mistake_of_the_whole_program_is_named_beside_a_common_one() {
     assert!(skinned[0] != skinned[1] && skinned[1] != skinned[2]);
     for theirs in &skinned[1..] {
         let found = figure.diagnose(&written(theirs, 6));
-        let mut causes = found.together();
-        causes.sort_unstable();
+        let causes = sorted(&found);
         assert_eq!(
             causes,
             ["joint-left-out", "strongest-joint-only"],
@@ -715,8 +705,7 @@ fn rotations_that_are_multiplied_on_twice_or_three_times_are_named() {
         "three times",
     );
     let found = times(|r| r * r, with(&["weights-shifted"]));
-    let mut causes = found.together();
-    causes.sort_unstable();
+    let causes = sorted(&found);
     assert_eq!(causes, ["rotation-repeated", "weights-shifted"], "{found}");
 }
 
@@ -752,8 +741,7 @@ fn angles_of_half_or_twice_their_size_are_named_beside_another_mistake() {
         (twice, "each is 2 times as large"),
     ] {
         let found = of(&student, 87);
-        let mut causes = found.together();
-        causes.sort_unstable();
+        let causes = sorted(&found);
         assert_eq!(causes, ["angles-scaled", "euler-zyx"], "{found}");
         assert!(found.to_string().contains(how), "{found}");
     }
@@ -832,8 +820,7 @@ fn small_weights_that_are_left_out_are_named_with_the_number_below_which_they_ar
         ..with(&["euler-zyx"])
     };
     let found = of(&beside, 83);
-    let mut causes = found.together();
-    causes.sort_unstable();
+    let causes = sorted(&found);
     assert_eq!(causes, ["euler-zyx", "small-weights-left-out"], "{found}");
 }
 
@@ -876,8 +863,7 @@ fn angles_that_are_rounded_are_named_by_themselves_and_beside_another_mistake() 
             ..with(&["euler-zyx"])
         };
         let found = figure.diagnose(&written(&beside.skin(&figure), 6));
-        let mut causes = found.together();
-        causes.sort_unstable();
+        let causes = sorted(&found);
         assert_eq!(causes, ["angles-rounded", "euler-zyx"], "{how}: {found}");
     }
 }
@@ -1081,10 +1067,7 @@ fn offsets_that_rotations_overwrite_or_that_roots_lack_are_named() {
     }
 
     // The recursion begins with the children of the root.
-    let mut without_root = Figure::builtin("adult", |joint| match joint == root {
-        true => Vec3::ZERO,
-        false => turned(67)(joint),
-    });
+    let mut without_root = Figure::builtin("adult", turned(67)).without(root);
     without_root.offsets[root] = Vec3::ZERO;
     let found = all_turned.diagnose(&written(&RIGHT.skin(&without_root), 6));
     assert_named(&found, "root-transform-missing", "in T and in B");
@@ -1355,8 +1338,7 @@ fn a_stack_is_not_popped_beside_a_recursion_that_does_not_come_to_all_joints() {
     let mut t = vec![Mat4::ZERO; own.len()];
     visit(&figure, &own, root, &mut Stack::new(), &mut t);
     let found = moved_by(&figure, |joint| t[joint] * b[joint].inverse());
-    let mut causes = found.together();
-    causes.sort_unstable();
+    let causes = sorted(&found);
     assert_eq!(
         causes,
         ["joints-not-reached", "stack-not-popped"],

@@ -175,12 +175,8 @@ fn another_pose_counts_as_a_slip_in_joints_only_if_more_than_half_of_it_is_as_as
 fn a_joint_that_is_not_turned_in_a_file_with_two_digits_counts_as_that_and_as_too_few_digits() {
     let class = Class::new(&["adult"]);
     let (test, figure) = &class.tests[0];
-    let asked = figure.degrees.clone();
     let knee = 10;
-    let posed = Figure::builtin("adult", |joint| match joint == knee {
-        true => Vec3::ZERO,
-        false => asked[joint],
-    });
+    let posed = Figure::builtin("adult", |joint| figure.degrees[joint]).without(knee);
     let text = obj(&with(&[]).skin(&posed), figure, |number| {
         format!("{number:.2}")
     });

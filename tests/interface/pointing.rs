@@ -73,6 +73,18 @@ fn the_status_line_and_the_first_help_speak_of_fingers_after_a_touch_and_of_butt
 }
 
 #[test]
+fn over_a_curve_that_is_not_selected_a_finger_is_told_to_tap_it_before_it_drags_its_points() {
+    let mut editor = Editor::new();
+    editor.choose(&["Insert", "Circle"]);
+    let circle = editor.shape().id;
+    editor.choose(&["Insert", "Cube"]);
+    tap(&mut editor, ON_THE_GROUND);
+    editor.harness.state_mut().hovered_shape = Some(circle);
+    editor.settle();
+    assert!(editor.has("Tap to select it, then drag its control points"));
+}
+
+#[test]
 fn a_machine_that_is_made_for_fingers_is_told_of_them_before_the_first_touch() {
     let mut editor = Editor::with_figure();
     editor.harness.state_mut().state.has_fingers_first = true;

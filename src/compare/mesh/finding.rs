@@ -149,6 +149,16 @@ impl MeshFinding {
 }
 
 impl MeshFinding {
+    /// That all of `points`, those of B, are in one place, if they are.
+    pub(crate) fn one_place(points: impl IntoIterator<Item = DVec3>) -> Option<Self> {
+        let mut points = points.into_iter();
+        let first = points.next().filter(|point| point.is_finite())?;
+        let at = first.to_array();
+        points
+            .all(|point| point == first)
+            .then_some(Self::OnePlace { at })
+    }
+
     /// Whether B is A moved, turned or scaled.
     pub fn is_placement(&self) -> bool {
         matches!(

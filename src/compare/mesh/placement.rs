@@ -163,12 +163,7 @@ pub(super) fn turn(points: &Points) -> Option<MeshFinding> {
 
 /// All vertices of B in one place.
 pub(super) fn one_place(points: &Points) -> Option<MeshFinding> {
-    let first = points.b.first().filter(|point| point.is_finite())?;
-    let at = first.to_array();
-    let mut others = points.b.iter();
-    others
-        .all(|point| point == first)
-        .then_some(MeshFinding::OnePlace { at })
+    MeshFinding::one_place(points.b.iter().copied())
 }
 
 /// The scale of least squares that takes the first of `centers` to the second.

@@ -26,8 +26,8 @@ pub const GESTURES: &[Gesture] = &[
         "Menu for what is under the pointer",
     ),
     gesture(
-        "Drag a control point",
-        "Move it, of a selected curve; Esc cancels",
+        "Drag a selected curve's point",
+        "Move it; Esc or right click cancels",
     ),
     gesture("Wheel in the view", "Move the camera closer or away"),
     gesture("Pose: drag a bone", "Turn it, with Ctrl by 15°"),

@@ -238,17 +238,12 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
                 _ => View::SetCamera(session.view().camera.looking_from(direction)),
             }));
         }
-        Command::ResetCamera
-            if view.look == Look::Course && view.camera == *session.start_camera() =>
-        {
-            return Some(Action::View(View::SetCamera(Camera::default())));
+        Command::ResetCamera => {
+            let second = second_home(session);
+            return Some(Action::View(
+                second.map_or(View::ResetCamera, View::SetCamera),
+            ));
         }
-        Command::ResetCamera
-            if view.look == Look::Mannequin && view.camera == *session.start_camera() =>
-        {
-            return Some(Action::View(View::SetCamera(Camera::of_mannequin())));
-        }
-        Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
         Command::Fit | Command::FitAll => {
             let area = view_overlay::fit_area(state, aspect);
             let all = command == Command::FitAll || session.selected().is_none();
@@ -273,6 +268,17 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
 }
 
 /// Inserts a new shape, with the name that the menu has for it.
+/// The camera that the program of the look starts with, to which Home leads from where the document began.
+pub(in crate::ui) fn second_home(session: &Session) -> Option<Camera> {
+    let view = session.view();
+    let first = match view.look {
+        Look::Course => Camera::default(),
+        Look::Mannequin => Camera::of_mannequin(),
+        Look::Studio => return None,
+    };
+    (view.camera == *session.start_camera()).then_some(first)
+}
+
 fn insert(command: Command, primitive: Primitive, session: &Session) -> Action {
     let mut shape = NewShape::new(label(command), primitive.kind());
     set_beside_others(session, &mut shape);

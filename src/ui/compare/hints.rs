@@ -4,6 +4,7 @@ use super::CompareView;
 use crate::compare::{Differences, Finding};
 use crate::editor::Session;
 use crate::scene::{Camera, Look};
+use crate::ui::commands::second_home;
 
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
 const SMOOTH: &str =
@@ -23,10 +24,8 @@ pub(super) fn camera(session: &Session, findings: &[Finding]) -> Option<&'static
         _ => false,
     };
     let may_be_camera = view.look == Look::Course && view.camera != first;
-    // Home leads to where the document began first.
-    let begins = *session.start_camera();
-    let is_next = begins == first || begins == view.camera;
-    let hint = if is_next { CAMERA } else { CAMERA_TWICE };
+    let next = second_home(session).unwrap_or(*session.start_camera());
+    let hint = if next == first { CAMERA } else { CAMERA_TWICE };
     let is_open = findings.is_empty() || findings.iter().any(is_elsewhere);
     (may_be_camera && is_open).then_some(hint)
 }

@@ -60,10 +60,9 @@ pub(super) struct PoseState {
     pub picked: Picked,
     /// Whether the view itself was under the pointer in the last frame.
     pub over_view: bool,
-    /// Whether Left or Right was pressed last beside all bones, where it turns the camera if the navigation has that.
-    pub turns_camera: bool,
-    /// Where the pointer was then.
-    pub turned_camera_at: Option<Pos2>,
+    /// Where the pointer was when Left or Right was pressed last, if that was beside all bones, where it turns the camera if
+    /// the navigation has that, or has not moved since it was.
+    pub turns_camera_at: Option<Pos2>,
     /// Whether the pointer is a finger.
     pub by_finger: bool,
     /// The bone that was dragged or clicked last: of its joint's bones, keys roll this one.

@@ -31,9 +31,8 @@ pub(in crate::ui) fn roll_by_keys(
     if ctx.input(|input| input.events.iter().any(is_press)) {
         let pose = &mut state.pose;
         let at = ctx.input(|input| input.pointer.latest_pos());
-        let goes_on = pose.turns_camera && pose.turned_camera_at == at;
-        pose.turns_camera = goes_on || pose.hovered.is_none() && pose.hot.is_none();
-        pose.turned_camera_at = at;
+        let is_beside = pose.hovered.is_none() && pose.hot.is_none();
+        pose.turns_camera_at = at.filter(|_| is_beside || pose.turns_camera_at == at);
     }
     if let Some(rolled) = &mut state.pose.rolled
         && !session.is_in_gesture()
@@ -45,12 +44,11 @@ pub(in crate::ui) fn roll_by_keys(
         return;
     }
     let is_mannequin = state.navigation == Navigation::Mannequin;
-    let hovered = pose
-        .hovered
-        .filter(|_| !(is_mannequin && pose.turns_camera));
+    let turns_camera = pose.turns_camera_at.is_some();
+    let hovered = pose.hovered.filter(|_| !(is_mannequin && turns_camera));
     let under_pointer = hovered.map(|hit| (hit.shape, hit.bone));
     // Over a ring it is about the bone that this turns.
-    let selected = || match is_mannequin && (pose.hot.is_none() || pose.turns_camera) {
+    let selected = || match is_mannequin && (pose.hot.is_none() || turns_camera) {
         true => None,
         false => bone_of_selected_joint(session, pose),
     };
