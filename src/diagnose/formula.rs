@@ -1,12 +1,13 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
+pub use super::angle_formula::{About, AngleAtEnd, AngleUnits, AnglesOf, RoundedAngles, Shifted};
 pub use super::factor_formula::{Divided, Factor, Factors, Shaped};
 pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached, Unfilled};
 pub use super::weight_formula::{
     AtEnd, Columns, Halves, Kept, Rescaled, Rounded, Rows, WeightFormula,
 };
-use crate::character::{Character, FileFrames};
-use glam::{DMat3, DQuat};
+use crate::character::{Character, FileFrames, Pose};
+use glam::{DMat3, DQuat, Vec3};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
 /// The default is the exact formula. Mistakes change parts of it, so two mistakes in different parts
@@ -141,34 +142,6 @@ impl Rotations {
     }
 }
 
-/// Joint whose angles a joint is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AnglesOf {
-    /// Itself.
-    Itself,
-    /// The one before it in the file; the first has none.
-    Before,
-    /// The one after it in the file; the last has none.
-    After,
-    /// Itself, but roots have none.
-    ItselfButRoots,
-    /// Its parent; roots have none.
-    Parent,
-}
-
-impl AnglesOf {
-    /// The joint whose angles that at the index `joint` is given, if there are so many; `None` if none's.
-    pub(super) fn joint(self, joint: usize, parent: Option<usize>) -> Option<usize> {
-        match self {
-            Self::Itself => Some(joint),
-            Self::ItselfButRoots => parent.map(|_| joint),
-            Self::Parent => parent,
-            Self::Before => joint.checked_sub(1),
-            Self::After => Some(joint + 1),
-        }
-    }
-}
-
 /// Joints whose offsets from their parents count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Offsets {
@@ -201,67 +174,6 @@ impl Offsets {
             Self::TwiceOfPosed => 1.0 + f64::from(is_posed),
         }
     }
-}
-
-/// Angles with fewer digits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RoundedAngles {
-    /// Angles are as they are.
-    No,
-    /// The nearest one with so many digits after the point in degrees.
-    ToDegrees(i32),
-    /// The next whole degree towards 0.
-    TowardsZero,
-    /// The nearest one with so many digits after the point in radians.
-    ToRadians(i32),
-}
-
-impl RoundedAngles {
-    /// What becomes of an angle, in radians.
-    pub(super) fn angle(self, radians: f64) -> f64 {
-        let to_digits = |number: f64, digits: i32| {
-            let scale = 10_f64.powi(digits);
-            (number * scale).round() / scale
-        };
-        match self {
-            Self::No => radians,
-            Self::ToDegrees(digits) => to_digits(radians.to_degrees(), digits).to_radians(),
-            Self::TowardsZero => {
-                let degrees = radians.to_degrees();
-                // A whole number that lost a hair on its way through single precision is that number.
-                let whole = (degrees.abs() + A_HAIR).floor();
-                whole.copysign(degrees).to_radians()
-            }
-            Self::ToRadians(digits) => to_digits(radians, digits),
-        }
-    }
-}
-
-/// What whole degrees have lost at most that were converted to radians and back, in degrees.
-const A_HAIR: f64 = 1e-4;
-
-/// The numbers that are given to sine and cosine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AngleUnits {
-    /// Radians.
-    Radians,
-    /// Degrees, which are not converted.
-    Degrees,
-    /// What comes of converting degrees to radians and the result once more.
-    ConvertedTwice,
-}
-
-/// Axes that a joint turns about, at rest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum About {
-    /// Those of the character.
-    Model,
-    /// Those that a Collada file gives the joint.
-    Bone,
-    /// The same, where the pose's axes are brought into those of the file first.
-    BoneFromFile,
-    /// Those of a Collada file, along which roots are moved as well.
-    File,
 }
 
 /// How a joint's transform follows from its own and its parent's.
@@ -357,6 +269,17 @@ impl Formula {
             && has_parents
             && (!is_of_file || frames.is_some())
             && has_shape
+    }
+
+    /// Whether a pose can show all that it changes at roots: not that they are not moved where none is, and not that they are
+    /// neither moved nor turned where none is turned, which is the same as that they are not moved.
+    pub(super) fn is_of_pose(&self, pose: &Pose, roots: &[usize]) -> bool {
+        let mut of_roots = roots.iter();
+        let moves = of_roots.any(|&root| pose.root_offset(root) != Vec3::ZERO);
+        let mut of_roots = roots.iter();
+        let turns = of_roots.any(|&root| pose.rotation(root).radians != Vec3::ZERO);
+        let turns_roots = self.joint.angles_of != AnglesOf::ItselfButRoots;
+        self.joint.roots_are_moved || moves && (turns_roots || turns)
     }
 }
 

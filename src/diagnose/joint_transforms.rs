@@ -84,8 +84,8 @@ impl<'a> Joints<'a> {
         };
         let angles_of = |pose: &Pose, joint: usize| {
             let parent = parent(joint).map(|parent| angles_of[parent]);
-            let of = own.angles_of.joint(angles_of[joint], parent);
-            let of = of.filter(|of| *of < angles_of.len());
+            let count = angles_of.len();
+            let of = own.angles_of.joint(angles_of[joint], parent, count);
             of.map_or(DVec3::ZERO, |of| pose.rotation(of).radians.as_dvec3())
         };
         let at_rest = |joint: usize| {

@@ -2,6 +2,7 @@
 //! Mistakes are found by making them: each is a change of the formula, and the one whose mesh agrees is the
 //! one that was made. Nothing here opens a file or a window.
 
+mod angle_formula;
 mod any_order;
 mod beside;
 mod choices;
@@ -59,9 +60,9 @@ pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMista
 pub use diagnosis_words::{in_words, of_size, part_of_size, within_everywhere};
 pub use faces::FaceDifference;
 pub use formula::{
-    About, AngleUnits, AnglesOf, AtEnd, Chain, Columns, Divided, Factor, Factors, Formula, Halves,
-    JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents, Rescaled, Rotations,
-    Rounded, RoundedAngles, Rows, Shaped, VertexOrder, WeightFormula,
+    About, AngleAtEnd, AngleUnits, AnglesOf, AtEnd, Chain, Columns, Divided, Factor, Factors,
+    Formula, Halves, JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents,
+    Rescaled, Rotations, Rounded, RoundedAngles, Rows, Shaped, Shifted, VertexOrder, WeightFormula,
 };
 pub use found_otherwise::{
     ANGLES_KEPT, BIND_OF_OTHER_POSE, JOINT_NOT_TURNED, POSE_LATE, SUM_NOT_RESET,

@@ -1,6 +1,6 @@
 //! Mistakes of a whole program with the angles of joints, and in how often they count.
 
-use super::formula::{AnglesOf, Rotations, RoundedAngles};
+use super::formula::{AngleAtEnd, AnglesOf, Rotations, RoundedAngles, Shifted};
 use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
 /// The ways to use angles about other axes: those that are used about X, Y and Z, 0 for that about X.
@@ -67,6 +67,15 @@ pub(super) static ANGLE_REPEATED: Mistake = Mistake {
     ),
 };
 
+/// A way to give joints the angles of others.
+macro_rules! shifted {
+    ($how:literal, $to:ident, $shifted:ident, $at_end:ident) => {
+        reading($how, |formula| {
+            formula.joint.angles_of = AnglesOf::$to(Shifted::$shifted, AngleAtEnd::$at_end);
+        })
+    };
+}
+
 /// A mistake with the angles of the joints.
 pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
     id: "angles-shifted",
@@ -74,12 +83,50 @@ pub(super) static ANGLES_SHIFTED: Mistake = Mistake {
     section: SLIDERS,
     look_at: "where angles come to setJointTransform: angles i are of joint i, the root being joint 0",
     readings: &[
-        reading("of the joint before them", |formula| {
-            formula.joint.angles_of = AnglesOf::Before;
-        }),
-        reading("of the joint after them", |formula| {
-            formula.joint.angles_of = AnglesOf::After;
-        }),
+        shifted!("of the joint before them", Before, All, None),
+        shifted!(
+            "of the joint before them, the first one its own",
+            Before,
+            All,
+            Own
+        ),
+        shifted!(
+            "of the joint before them, the first one those of the last",
+            Before,
+            All,
+            OtherEnd
+        ),
+        shifted!(
+            "of the joint before them, but the first one its own, and the one after it none",
+            Before,
+            ButFirst,
+            None
+        ),
+        shifted!("of the joint after them", After, All, None),
+        shifted!(
+            "of the joint after them, the last one its own",
+            After,
+            All,
+            Own
+        ),
+        shifted!(
+            "of the joint after them, the last one those of the first",
+            After,
+            All,
+            OtherEnd
+        ),
+        shifted!(
+            "of the joint after them, but the first one its own",
+            After,
+            ButFirst,
+            None
+        ),
+        shifted!(
+            "of the joint after them, but the first one and the last one their own",
+            After,
+            ButFirst,
+            Own
+        ),
     ],
 };
 
@@ -89,9 +136,18 @@ pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
     meaning: "the root is not turned",
     section: SLIDERS,
     look_at: "setJointTransform and the loop over the joints that calls it: the root, joint 0, has sliders as well",
-    readings: &[reading("", |formula| {
-        formula.joint.angles_of = AnglesOf::ItselfButRoots;
-    })],
+    readings: &[
+        reading("", |formula| {
+            formula.joint.angles_of = AnglesOf::ItselfButRoots;
+        }),
+        reading(
+            "nor moved by the offset that the pose has for it",
+            |formula| {
+                formula.joint.angles_of = AnglesOf::ItselfButRoots;
+                formula.joint.roots_are_moved = false;
+            },
+        ),
+    ],
 };
 
 /// A mistake in how often rotations are made.

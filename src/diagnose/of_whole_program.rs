@@ -327,7 +327,7 @@ static OFFSET_NOT_TURNED: Mistake = Mistake {
 };
 
 /// A mistake at roots alone, of poses that move them.
-pub(super) static ROOT_NOT_MOVED: Mistake = Mistake {
+static ROOT_NOT_MOVED: Mistake = Mistake {
     id: "root-not-moved",
     meaning: "a root is not moved by the offset that the pose has for it",
     section: SLIDERS,

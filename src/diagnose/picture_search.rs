@@ -205,7 +205,9 @@ impl<'a> PictureSearch<'a> {
     /// kept.
     fn is_seen(&self, formula: &Formula) -> bool {
         let orders = [VertexOrder::File, VertexOrder::FirstUseInside];
-        orders.contains(&formula.vertex_order) && formula.is_of(self.model.character)
+        orders.contains(&formula.vertex_order)
+            && formula.is_of(self.model.character)
+            && formula.is_of_pose(self.pose, self.model.skeleton().roots())
     }
 
     fn skinner(&self, formula: &Formula) -> Skinner<'a> {

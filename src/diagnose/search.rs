@@ -308,10 +308,11 @@ impl<'a> Search<'a> {
         fits.then(|| Skinner::new(self.model, self.pose, formula))
     }
 
-    /// Whether a formula may give a mesh of so many vertices of the character.
+    /// Whether a formula may give a mesh of so many vertices of the character in the pose.
     pub(super) fn may_be_of(&self, formula: &Formula) -> bool {
         self.model.count(formula.vertex_order) == self.theirs.len()
             && formula.is_of(self.model.character)
+            && formula.is_of_pose(self.pose, self.model.skeleton().roots())
     }
 
     /// Whether a mistake is made in the way that is made most often, the first one that the character has.

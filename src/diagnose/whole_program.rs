@@ -7,13 +7,13 @@ use super::misread_rows;
 use super::mistake::Mistake;
 use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
 use super::of_weighted_sum::LAST_RESULT_SKINNED;
-use super::of_whole_program::{OF_WHOLE_PROGRAM, ROOT_NOT_MOVED};
+use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::search::{AT_ONCE, Explanation, Search};
 use super::skin::{Placed, Skinner};
 use super::small_weights;
 use super::ways::Made;
 use crate::steps::Pace;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use std::f64::consts::PI;
 use std::iter;
 
@@ -75,7 +75,7 @@ async fn made_by(
     for reading in mistake.readings {
         let mut formula = alone.formula();
         (reading.make)(&mut formula);
-        if formula.is_of(alone.search.model.character) && counts(&formula) {
+        if alone.search.may_be_of(&formula) && counts(&formula) {
             let made = Made { mistake, reading };
             found.extend(alone.made_by(&formula, made, pace).await);
         }
@@ -83,18 +83,12 @@ async fn made_by(
     found
 }
 
-/// The mistakes that give the mesh beside another one, or beside none where that is right. One in how roots are moved is none
-/// where no root is, and digits that are rounded off are none where there are none.
+/// The mistakes that give the mesh beside another one, or beside none where that is right. Digits that are rounded off are
+/// none where there are none.
 pub(super) async fn as_well(alone: &MadeAlone<'_>, pace: &Pace) -> Vec<Explanation> {
-    let (model, pose) = (alone.search.model, alone.search.pose);
-    let mut roots = model.skeleton().roots().iter();
-    let moves_root = roots.any(|&root| pose.root_offset(root) != Vec3::ZERO);
     let mut found = Vec::new();
     for mistake in OF_WHOLE_PROGRAM {
-        let moves_none = std::ptr::eq(mistake, &raw const ROOT_NOT_MOVED) && !moves_root;
-        if !moves_none {
-            found.extend(made_by(mistake, alone, |formula| !formula.rounds_digits(), pace).await);
-        }
+        found.extend(made_by(mistake, alone, |formula| !formula.rounds_digits(), pace).await);
     }
     found
 }

@@ -241,19 +241,63 @@ fn an_angle_that_is_used_twice_is_named_beside_another_mistake() {
 }
 
 #[test]
-fn angles_of_neighboring_joints_are_named() {
+fn angles_of_neighboring_joints_are_named_whatever_the_joint_at_the_end_has() {
     let figure = Figure::builtin("adult", turned(63));
-    let mut before = Figure::builtin("adult", turned(63));
-    before.degrees.insert(0, Vec3::ZERO);
-    before.degrees.pop();
-    let mut after = Figure::builtin("adult", turned(63));
-    after.degrees.remove(0);
-    after.degrees.push(Vec3::ZERO);
-    for (wrong, how) in [
-        (before, "of the joint before them"),
-        (after, "of the joint after them"),
-    ] {
-        let found = figure.diagnose(&written(&RIGHT.skin(&wrong), 6));
+    let last = figure.degrees.len() - 1;
+    // The joint whose angles each joint of the program has, if one's.
+    type AnglesOf<'a> = &'a dyn Fn(usize) -> Option<usize>;
+    let ways: [(AnglesOf, &str); 9] = [
+        (&|joint| joint.checked_sub(1), "of the joint before them"),
+        (
+            &|joint| Some(joint.saturating_sub(1)),
+            "of the joint before them, the first one its own",
+        ),
+        (
+            &|joint| Some((joint + last) % (last + 1)),
+            "of the joint before them, the first one those of the last",
+        ),
+        (
+            &|joint| match joint {
+                0 => Some(0),
+                1 => None,
+                joint => Some(joint - 1),
+            },
+            "of the joint before them, but the first one its own, and the one after it none",
+        ),
+        (
+            &|joint| (joint < last).then_some(joint + 1),
+            "of the joint after them",
+        ),
+        (
+            &|joint| Some((joint + 1).min(last)),
+            "of the joint after them, the last one its own",
+        ),
+        (
+            &|joint| Some((joint + 1) % (last + 1)),
+            "of the joint after them, the last one those of the first",
+        ),
+        (
+            &|joint| match joint {
+                0 => Some(0),
+                joint => (joint < last).then_some(joint + 1),
+            },
+            "of the joint after them, but the first one its own",
+        ),
+        (
+            &|joint| match joint {
+                0 => Some(0),
+                joint => Some((joint + 1).min(last)),
+            },
+            "of the joint after them, but the first one and the last one their own",
+        ),
+    ];
+    for (angles_of, how) in ways {
+        let of = |joint: usize| angles_of(joint).map_or(Vec3::ZERO, |of| figure.degrees[of]);
+        let shifted = Figure {
+            degrees: (0..=last).map(of).collect(),
+            ..Figure::builtin("adult", turned(63))
+        };
+        let found = figure.diagnose(&written(&RIGHT.skin(&shifted), 6));
         assert_named(&found, "angles-shifted", how);
     }
 }
@@ -433,6 +477,41 @@ fn a_root_that_is_not_turned_is_named_however_far_the_pose_turns_it() {
         assert_named(&found, "root-angles-missing", "");
         assert_eq!(found.mistakes[0].section, "3.4 Sliders");
     }
+}
+
+#[test]
+fn a_root_that_the_pose_does_not_reach_is_one_mistake_also_beside_another() {
+    let mut figure = Figure::builtin("adult", turned(90));
+    figure.moved = Vec3::new(0.5, 0.25, -0.1);
+    let not_posed = |figure: &Figure, student: &Student| {
+        let mut degrees = figure.degrees.clone();
+        degrees[0] = Vec3::ZERO;
+        let root_at_rest = Figure {
+            degrees,
+            ..Figure::builtin("adult", turned(90))
+        };
+        written(&student.skin(&root_at_rest), 6)
+    };
+    let found = figure.diagnose(&not_posed(&figure, &RIGHT));
+    let how = "nor moved by the offset that the pose has for it";
+    assert_named(&found, "root-angles-missing", how);
+    assert_eq!(found.causes, ["root-angles-missing"], "{found}");
+
+    let found = figure.diagnose(&not_posed(&figure, &with(&["euler-zyx"])));
+    assert_eq!(
+        sorted(&found),
+        ["euler-zyx", "root-angles-missing"],
+        "{found}"
+    );
+
+    // Where a pose only turns the root, or only moves it, the mistake has that part alone.
+    figure.moved = Vec3::ZERO;
+    let found = figure.diagnose(&not_posed(&figure, &RIGHT));
+    assert_named(&found, "root-angles-missing", "");
+    figure.moved = Vec3::Y;
+    figure.degrees[0] = Vec3::ZERO;
+    let found = figure.diagnose(&not_posed(&figure, &RIGHT));
+    assert_eq!(found.causes, ["root-not-moved"], "{found}");
 }
 
 #[test]
