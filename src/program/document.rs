@@ -11,7 +11,7 @@ use super::{FileRequest, Host, Purpose, Suggested};
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files, Missing, ReadJob, Wanted};
 use crate::scene::Look;
-use crate::ui::{Answer, MeshColors};
+use crate::ui::{Answer, MeshColors, scene_label};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -183,12 +183,24 @@ impl Program {
         let is_new = |path: &PathBuf| !named.contains(&files.real(path));
         let others: Vec<PathBuf> = others.into_iter().filter(is_new).collect();
         self.session.messages.dismiss_numbers(&(0..since));
+        let of_program = path.to_string_lossy();
+        let of_program = of_program.strip_prefix(io::builtin::PREFIX);
+        let scene = of_program.and_then(scene_label);
+        let shows_shapes = !self.session.scene().shapes().is_empty();
+        let replaced = shows_shapes.then(|| self.document_name());
         if self.document.path() != Some(&path) {
             self.ui.colors = MeshColors::default();
         }
         self.show_opened(loaded.shapes, loaded.view, compared);
         self.document = self.file_of(&path, &*files);
         self.remember_recent(&io::character_file(&*files, &path));
+        // A key that was pressed by mistake may have opened it.
+        if let (Some(scene), Some(replaced)) = (scene, replaced) {
+            self.tell(
+                Severity::Info,
+                format!("Opened {scene} in the place of {replaced}"),
+            );
+        }
         self.tell_all(Severity::Warning, loaded.warnings);
         for path in others {
             let job = ReadJob {

@@ -4,7 +4,7 @@ use super::autosave::Kept;
 use super::document::Next;
 use super::exports::Together;
 use super::files::{file_name, listed};
-use crate::ui::{Answer, Question};
+use crate::ui::{Answer, Question, scene_label};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -50,12 +50,16 @@ impl Asked {
 
 /// The question before `next` about unsaved changes of the document called `name`.
 fn unsaved(next: &Next, name: &str) -> Question {
+    let mut answers = vec![Answer::Save, Answer::Discard, Answer::Cancel];
     let loses = match next {
-        Next::New => "begin another document",
-        Next::Open | Next::OpenFiles(..) | Next::OpenBuiltin(_) | Next::Show(_) => {
-            "open another document"
+        Next::New => "begin another document".to_owned(),
+        Next::Open | Next::OpenFiles(..) | Next::Show(_) => "open another document".to_owned(),
+        Next::OpenBuiltin(name) => {
+            // A digit is the key of some: one that was meant for a number, with Enter after it, must overwrite no file.
+            answers.rotate_right(1);
+            format!("open {}", scene_label(name).unwrap_or(name))
         }
-        Next::Quit => "quit",
+        Next::Quit => "quit".to_owned(),
         // Saving would overwrite what is to come back.
         Next::Revert(..) => {
             return Question {
@@ -70,7 +74,7 @@ fn unsaved(next: &Next, name: &str) -> Question {
         text: format!(
             "“{name}” has changes that are not saved. They are lost if you {loses} without saving."
         ),
-        answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
+        answers,
     }
 }
 

@@ -62,7 +62,7 @@ mod windows;
 
 pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot, Turntable};
 pub use commands::{
-    COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive, is_kept_by_browsers,
+    COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive, is_kept_by_browsers, scene_label,
 };
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,

@@ -41,6 +41,34 @@ fn file(story: &Story, path: &str) -> Vec<u8> {
 }
 
 #[test]
+fn a_digit_that_opens_a_scene_of_the_program_says_so_and_enter_after_it_keeps_the_document() {
+    let mut story = with_saved_cube();
+    story.program.ui_mut().set_navigation(Navigation::Mannequin);
+    let saved = file(&story, "work/a.scene");
+    story.key_with(CTRL, Key::D);
+    story.key(Key::Num3);
+    assert!(is_asked(&story));
+    let loses = "They are lost if you open Mannequin 3: Tentacle without saving.";
+    assert!(story.has_text(loses));
+    // As at the end of a number that was meant for a field.
+    story.key(Key::Enter);
+    assert!(!is_asked(&story));
+    assert_eq!(title(&story), "*a.scene — Editor");
+    assert_eq!(file(&story, "work/a.scene"), saved);
+
+    story.key(Key::Num3);
+    story.click("Don't Save");
+    assert_eq!(title(&story), "mannequin-3 — Editor");
+    story.key(Key::Num2);
+    assert_eq!(title(&story), "mannequin-2 — Editor");
+    let told = (
+        Severity::Info,
+        "Opened Mannequin 2: Chain in the place of mannequin-3",
+    );
+    assert_eq!(story.messages(), [told]);
+}
+
+#[test]
 fn the_title_tells_the_document_and_whether_it_is_saved() {
     let mut story = Story::start(&["models/strip.obj"]);
     assert_eq!(

@@ -13,7 +13,7 @@ mod table;
 
 pub use gestures::{GESTURES, Gesture};
 pub use keys::is_kept_by_browsers;
-pub use table::{COMMANDS, Entry, Menu};
+pub use table::{COMMANDS, Entry, Menu, scene_label};
 
 pub(super) use enabled::why_disabled;
 pub(super) use gestures::gesture;

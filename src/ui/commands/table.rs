@@ -348,3 +348,10 @@ pub(in crate::ui) fn in_words(entry: &Entry) -> String {
 pub(in crate::ui) fn label(command: Command) -> &'static str {
     entry_of(command).map_or("", |entry| entry.label)
 }
+
+/// Label in menus of the built-in scene `name`; `None` if it is in none.
+pub fn scene_label(name: &str) -> Option<&'static str> {
+    let opens =
+        |entry: &&Entry| matches!(entry.command, Command::OpenScene(scene) if scene == name);
+    COMMANDS.iter().find(opens).map(|entry| entry.label)
+}
