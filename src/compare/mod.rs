@@ -10,6 +10,7 @@ mod allowance;
 mod area;
 mod diagnosis;
 mod differences;
+mod figure_off;
 mod filters;
 mod flip;
 mod mesh;
@@ -25,6 +26,7 @@ pub use allowance::Allowance;
 pub use area::Area;
 pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
+pub use figure_off::{FigureOff, PixelGrid};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
 pub use mesh::{
     MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, SignedAxis,

@@ -1,5 +1,5 @@
 use super::rules::with_messages;
-use super::{Allowance, Area, CompareError, Differences, Finding, Pair};
+use super::{Allowance, Area, CompareError, Differences, FigureOff, Finding, Pair};
 use crate::geometry::Picture;
 use crate::steps::{Pace, Steps, at_once};
 use serde::Serialize;
@@ -51,6 +51,9 @@ pub struct Judgment {
     pub findings: Vec<Finding>,
     /// The area round what is drawn, which findings are placed in; see [`Pair::figure`].
     pub figure: Option<Area>,
+    /// What differs of what is drawn, but for edges and lines, from which the parts of a scene that do can be told.
+    #[serde(skip)]
+    pub off: Option<FigureOff>,
 }
 
 /// A comparison of two pictures in two halves, [`PictureJob::measure`] and [`PictureJob::judge`].
@@ -133,6 +136,7 @@ impl Pair<'_> {
             flip,
             findings: self.paced_findings(pace).await,
             figure: self.paced_figure(pace).await,
+            off: self.paced_figure_off(pace).await,
         }
     }
 
@@ -273,6 +277,7 @@ mod tests {
             flip: 0.0,
             findings: Vec::new(),
             figure: "20,10,20,20".parse().ok(),
+            off: None,
         };
         assert_eq!(job.judge().finish().unwrap(), equal);
     }

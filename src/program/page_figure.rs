@@ -1,9 +1,9 @@
 //! Where the figure in a screenshot of the Virtual Mannequin's page is not the one in our picture, whatever differs behind and
 //! before it: the page has noise in its floor, and other lines for bones.
 
-use crate::compare::Area;
+use crate::compare::{FigureOff, PixelGrid};
 use crate::geometry::Picture;
-use crate::ui::{FigureOff, PageFigure};
+use crate::ui::PageFigure;
 use std::ops::Range;
 
 /// Background of the page's view.
@@ -12,14 +12,6 @@ const TEAL: [u8; 3] = [0, 95, 95];
 /// that agree.
 const NOISE: u8 = 24;
 const SHADES: u8 = 48;
-/// Pixels among nine that are of the figure, or differ, where it is no edge or line alone.
-const SOLID: usize = 7;
-/// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
-/// and a forearm that is turned a little is more than a hundredth.
-const LITTLE: f64 = 0.002;
-/// Pixels from one that stands for those around it to the next.
-const APART: u32 = 3;
-
 /// Part of the width, one in so many, at either side of a picture in which its horizon is looked for.
 const SIDE: usize = 8;
 /// Share of the width by which the two may differ in height where the horizon is level.
@@ -67,45 +59,33 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     }
     let [page, ours] = [page, ours].map(|picture| FigureIn {
         pixels: picture.rgba.as_chunks::<4>().0,
-        width: picture.width as usize,
-        height: picture.height as usize,
+        grid: PixelGrid {
+            width: picture.width as usize,
+            height: picture.height as usize,
+        },
     });
     let is_figure = |at: &usize| page.is_figure(*at) || ours.is_figure(*at);
     let figure = (0..page.pixels.len()).filter(is_figure);
     let of_meshes = page.meshes() + ours.meshes();
-    let [ours_off, page_off] = [ours.islands_off(&page), page.islands_off(&ours)];
-    let mut sizes: Vec<usize> = ours_off.iter().chain(&page_off).map(Vec::len).collect();
-    sizes.sort_unstable();
-    let mut passed_over = 0;
-    let least = sizes.into_iter().find(|size| {
-        passed_over += size;
-        passed_over as f64 > LITTLE * of_meshes as f64
-    });
-    let told = |islands: &[Vec<usize>]| -> Vec<usize> {
-        let told = islands
-            .iter()
-            .filter(|island| least.is_some_and(|least| island.len() >= least));
-        told.flatten().copied().collect()
-    };
-    let [ours_off, page_off] = [told(&ours_off), told(&page_off)];
-    let all = page.area_around(ours_off.iter().chain(&page_off).copied());
+    let islands = [page.islands_off(&ours), ours.islands_off(&page)];
+    let right = ours.right(&page);
     Some(PageFigure {
-        area: page.area_around(figure)?,
+        area: page.grid.area_around(figure)?,
         is_slanted: page.is_slanted(),
-        off: all.map(|area| FigureOff {
-            area,
-            ours: page.spread(&ours_off),
-            theirs: page.spread(&page_off),
-            right: ours.spread(&ours.right(&page)),
-        }),
+        off: FigureOff::new(
+            page.grid,
+            islands.each_ref().map(Vec::as_slice),
+            of_meshes,
+            right.into_iter(),
+            true,
+        ),
     })
 }
 
 /// A picture with a figure in it.
 struct FigureIn<'a> {
     pixels: &'a [[u8; 4]],
-    width: usize,
-    height: usize,
+    grid: PixelGrid,
 }
 
 impl FigureIn<'_> {
@@ -116,33 +96,33 @@ impl FigureIn<'_> {
     /// Whether the horizon is higher on one side than on the other. Lines of bones and single parts of a figure before it do
     /// not count.
     fn is_slanted(&self) -> bool {
-        let side = self.width / SIDE;
+        let side = self.grid.width / SIDE;
         let heights = |columns: Range<usize>| -> Option<f64> {
             let mut heights: Vec<usize> = columns.filter_map(|x| self.horizon_in(x)).collect();
             heights.sort_unstable();
             heights.get(heights.len() / 2).map(|&height| height as f64)
         };
-        let sides = [0..side, self.width - side..self.width].map(heights);
+        let sides = [0..side, self.grid.width - side..self.grid.width].map(heights);
         let [Some(left), Some(right)] = sides else {
             return false;
         };
-        (left - right).abs() > (LEVEL * self.width as f64).max(1.0)
+        (left - right).abs() > (LEVEL * self.grid.width as f64).max(1.0)
     }
 
     /// The row in which the sky ends in a column, if it begins and ends there.
     fn horizon_in(&self, column: usize) -> Option<usize> {
         let is_of_sky = |row: usize| {
-            let [red, green, blue, _] = self.pixels[row * self.width + column];
+            let [red, green, blue, _] = self.pixels[row * self.grid.width + column];
             is_of_sky([red, green, blue])
         };
-        (0..self.height)
+        (0..self.grid.height)
             .find(|&row| !is_of_sky(row))
             .filter(|&row| row > 0)
     }
 
     /// Whether it is the mesh and not the edge of a line, whose colors are mixed with those behind it.
     fn is_figure(&self, at: usize) -> bool {
-        self.around(at).filter(|&at| self.is_mesh(at)).count() >= SOLID
+        self.grid.is_solid(at, |at| self.is_mesh(at))
     }
 
     fn meshes(&self) -> usize {
@@ -156,21 +136,7 @@ impl FigureIn<'_> {
         let is_off: Vec<bool> = (0..self.pixels.len())
             .map(|at| self.is_mesh(at) && !other.has_like(self.pixels[at], at))
             .collect();
-        let is_solid = |at| is_off[at] && self.around(at).filter(|&at| is_off[at]).count() >= SOLID;
-        let mut left: Vec<bool> = (0..is_off.len()).map(is_solid).collect();
-        let mut islands = Vec::new();
-        for first in 0..left.len() {
-            if !std::mem::take(&mut left[first]) {
-                continue;
-            }
-            let (mut island, mut next) = (vec![first], 0);
-            while let Some(&at) = island.get(next) {
-                next += 1;
-                island.extend(self.around(at).filter(|&at| std::mem::take(&mut left[at])));
-            }
-            islands.push(island);
-        }
-        islands
+        self.grid.islands(&is_off)
     }
 
     /// Places in the midst of the figure where `other` has the same.
@@ -181,36 +147,9 @@ impl FigureIn<'_> {
         (0..self.pixels.len()).filter(is_right).collect()
     }
 
-    fn area_around(&self, places: impl Iterator<Item = usize>) -> Option<Area> {
-        Area::around(places.map(|at| {
-            let [x, y] = self.pixel(at);
-            (x, y)
-        }))
-    }
-
-    fn pixel(&self, at: usize) -> [u32; 2] {
-        [(at % self.width) as u32, (at / self.width) as u32]
-    }
-
-    /// Some of these places.
-    fn spread(&self, places: &[usize]) -> Vec<[u32; 2]> {
-        let pixels = places.iter().map(|&at| self.pixel(at));
-        pixels
-            .filter(|pixel| pixel.iter().all(|along| along % APART == 0))
-            .collect()
-    }
-
-    /// A place and those beside it.
-    fn around(&self, at: usize) -> impl Iterator<Item = usize> + use<> {
-        let (width, x, y) = (self.width, at % self.width, at / self.width);
-        let rows = y.saturating_sub(1)..(y + 2).min(self.height);
-        let columns = x.saturating_sub(1)..(x + 2).min(width);
-        rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
-    }
-
     /// Whether a pixel of the figure that is like `pixel`, or a line before it, is at a place or beside it.
     fn has_like(&self, pixel: [u8; 4], at: usize) -> bool {
-        self.around(at).any(|at| {
+        self.grid.around(at).any(|at| {
             let other = self.pixels[at];
             let mut channels = pixel.iter().zip(other);
             match Part::of(other) {

@@ -66,7 +66,7 @@ pub use commands::{
 };
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
-    CompareView, FigureOff, MeshesShown, PageFigure, ShownPicture, course_panels, mannequin_panels,
+    CompareView, MeshesShown, PageFigure, ShownPicture, course_panels, mannequin_panels,
     picture_texture,
 };
 pub use mesh_colors::{Legend, MeshColors};

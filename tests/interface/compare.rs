@@ -329,6 +329,7 @@ fn beside_a_picture_of_the_course_s_program_another_camera_is_told_with_the_key_
             flip: 0.125,
             findings,
             figure: None,
+            off: None,
         }),
         ..CompareReport::default()
     };
@@ -393,6 +394,7 @@ fn differences_below_the_threshold_are_not_called_equal() {
             flip: 0.125,
             findings: Vec::new(),
             figure: None,
+            off: None,
         }),
         ..CompareReport::default()
     };
@@ -579,6 +581,7 @@ fn numbers_and_causes_are_told_in_words() {
             flip: 0.25,
             findings: vec![Finding::Shifted { dx: 1, dy: 0 }],
             figure: None,
+            off: None,
         }),
         measuring: false,
         problem: None,
@@ -729,6 +732,7 @@ fn the_place_of_a_finding_is_outlined_in_both_pictures() {
                 everywhere: false,
             }],
             figure: area("200,150,500,400"),
+            off: None,
         }),
         measuring: false,
         problem: None,

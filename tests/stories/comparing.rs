@@ -145,6 +145,58 @@ fn what_is_off_is_near_the_joint_that_was_turned() {
     }
 }
 
+/// The places that are told, each before its share of the figure.
+fn places(story: &Story) -> Vec<String> {
+    let texts = texts(story);
+    let places = texts.iter().filter_map(|text| text.strip_prefix("Near "));
+    let places = places.map(|text| text.split_once(", in").unwrap().0.to_owned());
+    places.collect()
+}
+
+#[test]
+fn each_limb_that_is_off_is_told_and_each_other_shape() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.size = (1000, 1300);
+    story.settle();
+    compare_with_itself(&mut story, (600, 450));
+    judge(&mut story);
+    for joint in ["Right elbow", "Left foot", "Neck"] {
+        story.type_into(&format!("{joint} X"), "40");
+    }
+    judge(&mut story);
+    let mut told = places(&story);
+    told.sort_unstable();
+    assert_eq!(
+        told,
+        ["Left foot", "Neck", "Right elbow"],
+        "{:?}",
+        texts(&story)
+    );
+
+    // Beside a goblet that is elsewhere, the joint is of a character among others.
+    let mut story = Story::start(&["builtin:adult", "builtin:adult", "builtin:goblet"]);
+    story.size = (1000, 1300);
+    story.settle();
+    compare_with_itself(&mut story, (600, 450));
+    judge(&mut story);
+    let [adult, _, goblet] = <[&str; 3]>::try_from(story.names())
+        .unwrap()
+        .map(str::to_owned);
+    story.click(&format!("[3] {goblet} (ID: 3)"));
+    story.type_into("Position Y", "0.6");
+    story.click(&format!("[1] {adult} (ID: 1)"));
+    story.type_into("Neck X", "40");
+    judge(&mut story);
+    let mut told = places(&story);
+    told.sort_unstable();
+    assert_eq!(
+        told,
+        [goblet, format!("Neck of {adult}")],
+        "{:?}",
+        texts(&story)
+    );
+}
+
 #[test]
 fn how_much_of_a_comparison_is_done_is_shown_while_it_goes_on() {
     let (mut story, mut job) = judging();

@@ -196,6 +196,15 @@ impl Finding {
         )
     }
 
+    /// Whether it only says what differs, in whichever places, and not why.
+    pub fn is_without_cause(&self) -> bool {
+        match self {
+            Self::Outline { everywhere, .. } => !everywhere,
+            Self::Shading { .. } => true,
+            _ => false,
+        }
+    }
+
     /// Where it shows: the area round all of it, unless it is about the pictures as a whole.
     pub fn area(&self) -> Option<Area> {
         match *self {

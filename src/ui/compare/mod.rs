@@ -6,7 +6,6 @@
 mod across;
 mod bones_seen;
 mod hints;
-mod limbs;
 mod masks;
 mod mesh_distances;
 mod mesh_marker;
@@ -15,6 +14,7 @@ mod mesh_view;
 mod outlined;
 mod page_figure;
 mod panel;
+mod parts;
 mod pictures;
 mod place;
 mod settings;
@@ -27,7 +27,7 @@ pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;
 pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels, mannequin_panels};
 
-use crate::compare::{Area, CompareError, Differences, Judgment};
+use crate::compare::{Area, CompareError, Differences, FigureOff, Judgment};
 use crate::geometry::Picture;
 use crate::scene::Look;
 use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureId, TextureOptions};
@@ -97,19 +97,6 @@ pub struct PageFigure {
     pub is_slanted: bool,
     /// What differs of it; `None` if the figures agree.
     pub off: Option<FigureOff>,
-}
-
-/// What differs of a figure.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FigureOff {
-    /// The area round it.
-    pub area: Area,
-    /// Some of the pixels `(x, y)` that are off of the figure in the live view, which are spread evenly.
-    pub ours: Vec<[u32; 2]>,
-    /// The same of the figure in the screenshot.
-    pub theirs: Vec<[u32; 2]>,
-    /// The same of what is right in the live view.
-    pub right: Vec<[u32; 2]>,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

@@ -1,9 +1,8 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
-use super::limbs::limbs;
-use super::place::{near, place};
+use super::place::{Place, of_parts, place};
 use super::{CompareView, PageFigure};
-use crate::compare::{Area, about, sentence};
+use crate::compare::sentence;
 use crate::editor::Session;
 
 pub(super) const AGREES: &str =
@@ -36,17 +35,11 @@ const MUCH: f64 = 0.25;
 /// What is said of a figure.
 pub(super) struct FigureTold {
     /// Where it differs from that of the live view: limb by limb, or where that is not all, altogether.
-    pub places: Vec<FigurePlace>,
+    pub places: Vec<Place>,
     /// Whether the camera may be elsewhere, so that the hint comes before all that follows from it.
     pub is_elsewhere: bool,
     /// Whether it is sure that the other picture is of the page.
     is_sure: bool,
-}
-
-/// A place in which a figure differs.
-pub(super) struct FigurePlace {
-    pub told: String,
-    pub area: Area,
 }
 
 impl FigureTold {
@@ -59,8 +52,8 @@ impl FigureTold {
                 is_sure,
             };
         };
-        let limbs = limbs(session, off, compare.size());
-        if limbs.is_empty() {
+        let places = of_parts(session, off, compare.size());
+        if places.is_empty() {
             let area = off.area;
             // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
             let is_much = area.share_of(figure.area) >= MUCH;
@@ -69,17 +62,13 @@ impl FigureTold {
                 false => place(session, area, figure.area, compare.size()),
             };
             return Self {
-                places: vec![FigurePlace { told, area }],
+                places: vec![Place { told, area }],
                 is_elsewhere: is_much,
                 is_sure,
             };
         }
-        let places = limbs.into_iter().map(|limb| FigurePlace {
-            told: near(&limb.name, &about(limb.percent)),
-            area: limb.area,
-        });
         Self {
-            places: places.collect(),
+            places,
             is_elsewhere: false,
             is_sure,
         }

@@ -1,9 +1,9 @@
 use super::hints::{self, hints};
 use super::outlined::Outlined;
 use super::page_figure::{self, FigureTold};
-use super::place::place;
+use super::place::{Place, apart, place};
 use super::{CompareReport, CompareView, masks};
-use crate::compare::{Area, Differences, Judgment};
+use crate::compare::{Area, Differences, Finding, Judgment};
 use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
 use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
@@ -265,11 +265,17 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
     // What differs of the figure says more than all that does, where other lines and floors are drawn about it.
     let of_page = compare.report.page_figure.as_ref();
     let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure));
+    let judgment = compare.report.judgment.as_ref();
+    let apart = judgment.filter(|_| of_page.is_none()).and_then(|judged| {
+        let (off, figure) = (judged.off.as_ref()?, judged.figure?);
+        Some(apart(session, off, figure, compare.size()))
+    });
+    let apart = apart.unwrap_or_default();
     let places = of_page.as_ref().map(|figure| &figure.places);
     let is_still_told = |area: &Area| {
-        let mut of_page = places.into_iter().flatten();
+        let mut places = places.into_iter().flatten().chain(&apart);
         all == Some(*area)
-            || of_page.any(|place| place.area == *area)
+            || places.any(|place| place.area == *area)
             || areas.clone().any(|f| f.area() == Some(*area))
     };
     *outlined = Outlined {
@@ -320,12 +326,18 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
+                let are_told_apart =
+                    |finding: &Finding| finding.is_without_cause() && !apart.is_empty();
                 for finding in &judgment.findings {
                     say(ui, &finding.sentence(), palette.strong);
-                    if let Some((area, figure)) = finding.area().zip(judgment.figure) {
+                    let area = finding.area().filter(|_| !are_told_apart(finding));
+                    if let Some((area, figure)) = area.zip(judgment.figure) {
                         let place = place(session, area, figure, compare.size());
                         link(ui, &place, area, outlined);
                     }
+                }
+                if judgment.findings.iter().any(are_told_apart) {
+                    links(ui, &apart, outlined);
                 }
                 match places {
                     _ if !judgment.findings.is_empty() => {}
@@ -334,13 +346,13 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                     }
                     Some(places) => {
                         say(ui, page_figure::DIFFERS, palette.text);
-                        for place in places {
-                            link(ui, &place.told, place.area, outlined);
-                        }
+                        links(ui, places, outlined);
                     }
                     None => {
                         let text = "No single cause explains the differences.";
                         say(ui, text, palette.text);
+                        links(ui, &apart, outlined);
+                        let all = all.filter(|_| apart.is_empty());
                         if let Some((area, figure)) = all.zip(judgment.figure) {
                             let place = place(session, area, figure, compare.size());
                             link(ui, &place, area, outlined);
@@ -374,6 +386,13 @@ pub(super) fn say(ui: &mut Ui, text: &str, color: Color32) {
 pub(super) fn label(ui: &mut Ui, text: &str, color: Color32) -> Response {
     let text = RichText::new(text).color(color);
     ui.add(Label::new(text).wrap().selectable(true))
+}
+
+/// Places, each of which outlines its area.
+fn links(ui: &mut Ui, places: &[Place], outlined: &mut Outlined) {
+    for place in places {
+        link(ui, &place.told, place.area, outlined);
+    }
 }
 
 /// The place of a finding, which outlines its `area` in the pictures: while the pointer is over it,

@@ -1,10 +1,12 @@
 //! Differences placed by the bones of the characters in view.
 
 use super::bones_seen::characters_seen;
+use super::parts::parts;
 use crate::character::Joint;
-use crate::compare::{Area, sentence};
+use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use glam::Vec2;
+use std::collections::BTreeMap;
 
 /// How far outside an area a bone may be, by the picture's height: limbs are so thick.
 const NEAR: f32 = 0.04;
@@ -22,6 +24,74 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
         Some(joint) => near(&joint, &area.part_of(figure)),
         None => sentence(&area.place_in(figure)),
     }
+}
+
+/// A place in which pictures differ.
+pub(super) struct Place {
+    pub told: String,
+    pub area: Area,
+}
+
+/// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
+pub(super) fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
+    let parts = parts(session, off, size).into_iter();
+    let places = parts.map(|part| Place {
+        told: near(&part.name, &about(part.percent)),
+        area: part.area,
+    });
+    places.collect()
+}
+
+/// Most places apart from one another that are told one by one, …
+const MOST_APART: usize = 4;
+/// … and how far they are apart, by the picture's height.
+const APART: f32 = 0.025;
+
+/// The places apart from one another in which what is drawn differs: parts of the scene, or else where they lie in `figure`,
+/// the area round all that is drawn. None if it is one place, or too many.
+pub(super) fn apart(
+    session: &Session,
+    off: &FigureOff,
+    figure: Area,
+    size: (u32, u32),
+) -> Vec<Place> {
+    let of_parts = of_parts(session, off, size);
+    if !of_parts.is_empty() {
+        return of_parts;
+    }
+    let areas = areas_apart(off, (APART * size.1 as f32).max(1.0) as u32);
+    if !(2..=MOST_APART).contains(&areas.len()) {
+        return Vec::new();
+    }
+    let places = areas.into_iter().map(|area| Place {
+        told: sentence(&area.place_in(figure)),
+        area,
+    });
+    places.collect()
+}
+
+/// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down.
+fn areas_apart(off: &FigureOff, cell: u32) -> Vec<Area> {
+    let mut cells: BTreeMap<[u32; 2], Vec<(u32, u32)>> = BTreeMap::new();
+    for &[x, y] in off.ours.iter().chain(&off.theirs) {
+        cells.entry([y / cell, x / cell]).or_default().push((x, y));
+    }
+    let mut areas = Vec::new();
+    while let Some((first, pixels)) = cells.pop_first() {
+        let (mut of_place, mut next) = (pixels, vec![first]);
+        while let Some([row, column]) = next.pop() {
+            let rows = row.saturating_sub(1)..=row + 1;
+            let columns = column.saturating_sub(1)..=column + 1;
+            for beside in rows.flat_map(|row| columns.clone().map(move |column| [row, column])) {
+                if let Some(pixels) = cells.remove(&beside) {
+                    of_place.extend(pixels);
+                    next.push(beside);
+                }
+            }
+        }
+        areas.extend(Area::around(of_place));
+    }
+    areas
 }
 
 /// Sentence about what is near `joint`, which is such a `part` of the figure in words.

@@ -1,0 +1,183 @@
+//! Which pixels differ of what is drawn, but for edges and lines.
+
+use super::Area;
+use super::differences::difference;
+use super::pair::{DRAWN_THRESHOLD, Pair, is_drawn};
+use crate::steps::{Pace, at_once};
+
+/// Pixels among nine that are such ones where it is no edge or line alone.
+const SOLID: usize = 7;
+/// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
+/// and a forearm that is turned a little is more than a hundredth.
+const LITTLE: f64 = 0.002;
+/// Pixels from one that stands for those around it to the next.
+const APART: u32 = 3;
+
+/// What differs of a figure between two pictures A and B of one size.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FigureOff {
+    /// The area round it.
+    pub area: Area,
+    /// Some of the pixels `(x, y)` that are off of the figure in B, which are spread evenly.
+    pub ours: Vec<[u32; 2]>,
+    /// The same of the figure in A.
+    pub theirs: Vec<[u32; 2]>,
+    /// The same of what is right in B.
+    pub right: Vec<[u32; 2]>,
+    /// Whether the figure is told from what is behind it. Otherwise all of the picture counts as the figure.
+    pub has_outline: bool,
+}
+
+impl FigureOff {
+    /// What is off, from the islands of A and of B that are, of figures that are so many pixels in both pictures together, and
+    /// from the pixels that are `right`; `None` if nothing worth the name is off.
+    pub fn new(
+        grid: PixelGrid,
+        [theirs, ours]: [&[Vec<usize>]; 2],
+        of_figures: usize,
+        right: impl Iterator<Item = usize>,
+        has_outline: bool,
+    ) -> Option<Self> {
+        let mut sizes: Vec<usize> = ours.iter().chain(theirs).map(Vec::len).collect();
+        sizes.sort_unstable();
+        let mut passed_over = 0;
+        let least = sizes.into_iter().find(|size| {
+            passed_over += size;
+            passed_over as f64 > LITTLE * of_figures as f64
+        })?;
+        let told = |islands: &[Vec<usize>]| -> Vec<usize> {
+            let told = islands.iter().filter(|island| island.len() >= least);
+            told.flatten().copied().collect()
+        };
+        let [ours, theirs] = [told(ours), told(theirs)];
+        Some(Self {
+            area: grid.area_around(ours.iter().chain(&theirs).copied())?,
+            ours: grid.spread(ours.into_iter()),
+            theirs: grid.spread(theirs.into_iter()),
+            right: grid.spread(right),
+            has_outline,
+        })
+    }
+}
+
+/// The places of pixels in a picture, row by row from the top left.
+#[derive(Clone, Copy, Debug)]
+pub struct PixelGrid {
+    /// Pixels a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+}
+
+impl PixelGrid {
+    /// A place and those beside it.
+    pub fn around(self, at: usize) -> impl Iterator<Item = usize> {
+        let (width, x, y) = (self.width, at % self.width, at / self.width);
+        let rows = y.saturating_sub(1)..(y + 2).min(self.height);
+        let columns = x.saturating_sub(1)..(x + 2).min(width);
+        rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
+    }
+
+    /// Whether most of the pixels around a place, and so not an edge or a line alone, are such ones.
+    pub fn is_solid(self, at: usize, is_such: impl Fn(usize) -> bool) -> bool {
+        self.around(at).filter(|&at| is_such(at)).count() >= SOLID
+    }
+
+    /// The places that hang together of those that `is_such` has, one for each pixel, but for edges and lines.
+    pub fn islands(self, is_such: &[bool]) -> Vec<Vec<usize>> {
+        at_once(|pace| async move { self.paced_islands(is_such, &pace).await })
+    }
+
+    /// The same in steps.
+    async fn paced_islands(self, is_such: &[bool], pace: &Pace) -> Vec<Vec<usize>> {
+        let mut left = vec![false; is_such.len()];
+        pace.bands(left.len(), |band| {
+            for at in band.filter(|&at| is_such[at]) {
+                left[at] = self.is_solid(at, |at| is_such[at]);
+            }
+        })
+        .await;
+        let mut islands = Vec::new();
+        for first in 0..left.len() {
+            if !std::mem::take(&mut left[first]) {
+                continue;
+            }
+            let (mut island, mut next) = (vec![first], 0);
+            while let Some(&at) = island.get(next) {
+                next += 1;
+                island.extend(self.around(at).filter(|&at| std::mem::take(&mut left[at])));
+                pace.after(1).await;
+            }
+            islands.push(island);
+        }
+        islands
+    }
+
+    /// The area round some places.
+    pub fn area_around(self, places: impl Iterator<Item = usize>) -> Option<Area> {
+        Area::around(places.map(|at| {
+            let [x, y] = self.pixel(at);
+            (x, y)
+        }))
+    }
+
+    /// Some of these places.
+    fn spread(self, places: impl Iterator<Item = usize>) -> Vec<[u32; 2]> {
+        let pixels = places.map(|at| self.pixel(at));
+        pixels
+            .filter(|pixel| pixel.iter().all(|along| along % APART == 0))
+            .collect()
+    }
+
+    fn pixel(self, at: usize) -> [u32; 2] {
+        [(at % self.width) as u32, (at / self.width) as u32]
+    }
+}
+
+impl Pair<'_> {
+    /// What is off of what is drawn; `None` if the pictures agree but for edges and lines.
+    pub(super) async fn paced_figure_off(&self, pace: &Pace) -> Option<FigureOff> {
+        let grid = PixelGrid {
+            width: self.width() as usize,
+            height: self.height() as usize,
+        };
+        let (a, b) = (self.a(), self.b());
+        let [background_a, background_b] = self.backgrounds();
+        let count = self.kept().len();
+        let mut off = [vec![false; count], vec![false; count]];
+        let mut right = vec![false; count];
+        let mut of_figures = 0;
+        pace.bands(count, |band| {
+            for at in band.filter(|&at| self.kept()[at]) {
+                let drawn = [is_drawn(a[at], background_a), is_drawn(b[at], background_b)];
+                let differs = difference(a[at], b[at]) > DRAWN_THRESHOLD;
+                for (off, drawn) in off.iter_mut().zip(drawn) {
+                    off[at] = drawn && differs;
+                    of_figures += usize::from(drawn);
+                }
+                right[at] = drawn == [true; 2] && !differs;
+            }
+        })
+        .await;
+        let mut islands = Vec::new();
+        for off in &off {
+            islands.push(grid.paced_islands(off, pace).await);
+        }
+        if islands.iter().all(Vec::is_empty) {
+            return None;
+        }
+        let has_outline = background_a.is_some() && background_b.is_some();
+        if !has_outline {
+            // However large the picture is about the figure.
+            of_figures = islands.iter().flatten().map(Vec::len).sum();
+        }
+        let solid = (0..count).filter(|&at| right[at] && grid.is_solid(at, |at| right[at]));
+        FigureOff::new(
+            grid,
+            [&islands[0], &islands[1]],
+            of_figures,
+            solid,
+            has_outline,
+        )
+    }
+}
