@@ -9,7 +9,7 @@ use crate::editor::{Edit, Severity, View};
 use crate::io::builtin;
 use crate::revision::Revision;
 use crate::scene::ViewSettings;
-use crate::ui::{Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove};
+use crate::ui::{Action, Ask, CompareAction, GestureStep, HistoryMove};
 use std::path::Path;
 
 const DARK_FROM_HERE: &str = "The Course look has one light, from +Z, so that shapes are dark from this side: \
@@ -232,11 +232,5 @@ impl Program {
                 }
             }
         }
-    }
-
-    /// The settings of the comparison, which the next one goes on with.
-    pub(super) fn compare_settings(&self) -> CompareSettings {
-        let comparison = self.comparison.as_ref();
-        comparison.map_or_else(CompareSettings::default, |c| c.settings().clone())
     }
 }

@@ -31,9 +31,10 @@ impl Program {
         };
         self.session.look(View::SetLook(look));
         let reference = of_page.unwrap_or(reference);
-        let settings = self.compare_settings();
-        let earlier = self.comparison.as_ref().and_then(|it| it.camera_before);
-        let mut comparison = Comparison::new(path, reference, settings, before);
+        let running = self.comparison.as_ref();
+        let settings = running.map(|running| running.settings_for(&reference));
+        let earlier = running.and_then(|it| it.camera_before);
+        let mut comparison = Comparison::new(path, reference, settings.unwrap_or_default(), before);
         comparison.looks = (look, studio.unwrap_or_default());
         comparison.is_cut = is_cut;
         comparison.is_page = is_page;

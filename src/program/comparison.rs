@@ -1,7 +1,9 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
+use crate::compare::{
+    Area, CompareError, DRAWN_THRESHOLD, Measured, Pair, PictureJob, side_by_side,
+};
 use crate::geometry::Picture;
 use crate::render::Backdrop;
 use crate::revision::Revision;
@@ -18,6 +20,9 @@ const STILL: Duration = Duration::from_millis(150);
 const LOOK: Duration = Duration::from_millis(100);
 /// Time between two looks at whether the live view has been drawn: about a frame.
 pub(super) const DRAWING: Duration = Duration::from_millis(16);
+
+/// Share of a panel that is the same in other pictures with it, whatever its fields say: most of it has one color.
+const SAME_PANEL: f64 = 0.5;
 
 /// A comparison of the live view with a picture.
 pub(super) struct Comparison {
@@ -221,6 +226,42 @@ impl Comparison {
     /// Choices in its panel.
     pub fn settings(&self) -> &CompareSettings {
         &self.settings
+    }
+
+    /// Choices that a comparison with the picture `next` goes on with: all but masks of panels that it has not.
+    pub fn settings_for(&self, next: &Picture) -> CompareSettings {
+        let reference = &*self.reference.picture;
+        let (size, of_next) = (self.size(), (next.width, next.height));
+        let mut settings = self.settings.clone();
+        let mut panels = [&ui::course_panels(size)[..], &ui::mannequin_panels(size)].concat();
+        panels.retain(|panel| settings.masks.contains(panel));
+        let has_same = |mask: &Area| {
+            let pixels = |picture: &'_ Picture| -> Vec<[u8; 4]> {
+                let (all, _) = picture.rgba.as_chunks::<4>();
+                let rows = all.chunks(size.0 as usize);
+                let rows = rows.skip(mask.y as usize).take(mask.height as usize);
+                let (first, count) = (mask.x as usize, mask.width as usize);
+                rows.flat_map(|row| &row[first..first + count])
+                    .copied()
+                    .collect()
+            };
+            let (ours, theirs) = (pixels(reference), pixels(next));
+            let is_same = |(a, b): (&[u8; 4], &[u8; 4])| {
+                a.iter()
+                    .zip(b)
+                    .all(|(a, b)| a.abs_diff(*b) <= DRAWN_THRESHOLD)
+            };
+            let same = ours
+                .iter()
+                .zip(&theirs)
+                .filter(|both| is_same(*both))
+                .count();
+            same as f64 > SAME_PANEL * ours.len() as f64
+        };
+        if size != of_next || !panels.iter().any(has_same) {
+            settings.masks.retain(|mask| !panels.contains(mask));
+        }
+        settings
     }
 
     /// Width and height in pixels of the reference, and so of the live view.

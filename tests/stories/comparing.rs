@@ -11,7 +11,7 @@ use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::scene::{Camera, Look};
-use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
+use editor_core::ui::{Action, Ask, CompareAction, CompareSettings, course_panels};
 use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
 use std::path::Path;
@@ -350,6 +350,49 @@ fn where_everything_is_left_out_no_number_is_told() {
     while measure(&mut story) > 0 {}
     assert!(has_text(&story, "no pixel is left"), "{:?}", texts(&story));
     assert!(!has_text(&story, EQUAL), "{:?}", texts(&story));
+}
+
+#[test]
+fn masks_of_panels_stay_for_the_next_picture_if_that_has_them_too() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.size = (1400, 1300);
+    story.settle();
+    compare_with_itself(&mut story, (800, 600));
+    let plain = story.host.files[Path::new("mine.png")].clone();
+    let panels = course_panels((800, 600));
+    let with_panels = |of_fields: u8| {
+        let mut picture = image::decode(Path::new("mine.png"), &plain).unwrap();
+        for panel in panels {
+            for y in panel.y..panel.y + panel.height {
+                for x in panel.x..panel.x + panel.width {
+                    let color = if y % 40 >= 30 { of_fields } else { 40 };
+                    let at = 4 * (y * picture.width + x) as usize;
+                    picture.rgba[at..at + 4].copy_from_slice(&[color, color, color, 255]);
+                }
+            }
+        }
+        image::encode(&picture, PictureFormat::Png).unwrap()
+    };
+    story.host.files.insert("one.png".into(), with_panels(90));
+    story.host.files.insert("two.png".into(), with_panels(200));
+    story.host.drop_file("one.png");
+    story.settle();
+    story.click("Mask its panels");
+    story.click("Add mask");
+    let is_masked = |story: &Story| story.has("Unmask its panels");
+    assert!(
+        is_masked(&story) && story.has("Remove mask 3"),
+        "{:?}",
+        texts(&story)
+    );
+    story.host.drop_file("two.png");
+    story.settle();
+    assert!(is_masked(&story));
+    story.host.drop_file("mine.png");
+    story.settle();
+    assert!(!is_masked(&story));
+    assert!(story.has("Remove mask 1"), "the user's own stays");
+    assert!(!story.has("Remove mask 2"));
 }
 
 #[test]

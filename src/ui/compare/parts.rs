@@ -85,23 +85,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let limbs = limbs
         .into_iter()
         .map(|(name, bones)| (name, Reach::Bones(bones)));
-    let shapes = seen_shapes(session, size);
-    let ours: Vec<Vec2> = if off.has_outline {
-        ours
-    } else {
-        let characters = characters_seen(session, size).into_iter();
-        let bones = characters.flat_map(|character| character.bones);
-        let lines = bones.filter_map(|(_, pixels)| Some([*pixels.first()?, *pixels.last()?]));
-        let lines: Vec<[Vec2; 2]> = lines.collect();
-        // What is behind the scene tells nothing of it, such as where something was or throws its shadow.
-        let is_of_scene = |pixel: &Vec2| {
-            let is_at_bone = || (lines.iter()).any(|line| distance_from(*line, *pixel) <= thick);
-            let reaches = |(_, shape): &(_, Reach)| shape.distance(*pixel, thick) <= thick;
-            shapes.iter().any(reaches) || is_at_bone()
-        };
-        ours.into_iter().filter(is_of_scene).collect()
-    };
-    let seen: Vec<(String, Reach)> = limbs.chain(shapes).collect();
+    let seen: Vec<(String, Reach)> = limbs.chain(seen_shapes(session, size)).collect();
     let nearest = |pixel: Vec2| {
         let distances = seen.iter().map(|(_, reach)| reach.distance(pixel, thick));
         distances
@@ -137,6 +121,29 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         return Vec::new();
     }
     parts
+}
+
+/// What is off of the shapes in a live view of `size` pixels. What is behind them tells nothing of them, such as where something
+/// was or throws its shadow.
+pub(super) fn of_shapes(session: &Session, off: &FigureOff, size: (u32, u32)) -> FigureOff {
+    let mut of_shapes = off.clone();
+    if off.has_outline {
+        return of_shapes;
+    }
+    let size = Vec2::new(size.0 as f32, size.1 as f32);
+    let thick = THICK * size.y;
+    let characters = characters_seen(session, size).into_iter();
+    let bones = characters.flat_map(|character| character.bones);
+    let lines = bones.filter_map(|(_, pixels)| Some([*pixels.first()?, *pixels.last()?]));
+    let lines: Vec<[Vec2; 2]> = lines.collect();
+    let shapes = seen_shapes(session, size);
+    of_shapes.ours.retain(|&[x, y]| {
+        let pixel = Vec2::new(x as f32, y as f32);
+        let mut boxes = shapes.iter();
+        boxes.any(|(_, shape)| shape.distance(pixel, thick) <= thick)
+            || (lines.iter()).any(|line| distance_from(*line, pixel) <= thick)
+    });
+    of_shapes
 }
 
 /// The visible shapes without bones, with the boxes around them. None where a shape is alone: what differs is it, then.

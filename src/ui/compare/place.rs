@@ -1,7 +1,7 @@
 //! Differences placed by the bones of the characters in view.
 
 use super::bones_seen::characters_seen;
-use super::parts::parts;
+use super::parts::{of_shapes, parts};
 use crate::character::Joint;
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
@@ -47,34 +47,43 @@ const MOST_APART: usize = 4;
 /// … and how far they are apart, by the picture's height.
 const APART: f32 = 0.025;
 
-/// The places apart from one another in which what is drawn differs: parts of the scene, or else where they lie in `figure`,
-/// the area round all that is drawn. None if it is one place, or too many.
+/// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or else
+/// where a bone is near, or where they lie in the figure. None if there are too many.
 pub(super) fn apart(
     session: &Session,
     off: &FigureOff,
     figure: Area,
     size: (u32, u32),
 ) -> Vec<Place> {
-    let of_parts = of_parts(session, off, size);
+    let off = of_shapes(session, off, size);
+    let of_parts = of_parts(session, &off, size);
     if !of_parts.is_empty() {
         return of_parts;
     }
-    let areas = areas_apart(off, (APART * size.1 as f32).max(1.0) as u32);
-    if !(2..=MOST_APART).contains(&areas.len()) {
+    let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
+    if apart.len() > MOST_APART {
         return Vec::new();
     }
-    let places = areas.into_iter().map(|area| Place {
-        told: sentence(&area.place_in(figure)),
-        area,
+    let places = apart.into_iter().map(|(area, is_ours)| {
+        // Bones are where the live view has them.
+        let told = match is_ours {
+            true => place(session, area, figure, size),
+            false => sentence(&area.place_in(figure)),
+        };
+        Place { told, area }
     });
     places.collect()
 }
 
-/// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down.
-fn areas_apart(off: &FigureOff, cell: u32) -> Vec<Area> {
-    let mut cells: BTreeMap<[u32; 2], Vec<(u32, u32)>> = BTreeMap::new();
-    for &[x, y] in off.ours.iter().chain(&off.theirs) {
-        cells.entry([y / cell, x / cell]).or_default().push((x, y));
+/// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down, and whether some of
+/// these are of the live view. Where it is not known what is behind shapes, only such.
+fn areas_apart(off: &FigureOff, cell: u32) -> Vec<(Area, bool)> {
+    let mut cells: BTreeMap<[u32; 2], Vec<(u32, u32, bool)>> = BTreeMap::new();
+    for (pixels, is_ours) in [(&off.ours, true), (&off.theirs, false)] {
+        for &[x, y] in pixels {
+            let of_cell = cells.entry([y / cell, x / cell]).or_default();
+            of_cell.push((x, y, is_ours));
+        }
     }
     let mut areas = Vec::new();
     while let Some((first, pixels)) = cells.pop_first() {
@@ -89,7 +98,12 @@ fn areas_apart(off: &FigureOff, cell: u32) -> Vec<Area> {
                 }
             }
         }
-        areas.extend(Area::around(of_place));
+        let is_ours = of_place.iter().any(|(.., is_ours)| *is_ours);
+        let area = Area::around(of_place.into_iter().map(|(x, y, _)| (x, y)));
+        areas.extend(
+            area.filter(|_| is_ours || off.has_outline)
+                .map(|area| (area, is_ours)),
+        );
     }
     areas
 }
