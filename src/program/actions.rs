@@ -36,7 +36,7 @@ impl Program {
                 }
                 Action::History(step) => {
                     match step {
-                        HistoryMove::Undo => drop(self.session.undo()),
+                        HistoryMove::Undo => self.undo(),
                         HistoryMove::Redo => drop(self.session.redo()),
                         HistoryMove::GoTo(done) => self.session.go_to_step(done),
                     }

@@ -57,6 +57,7 @@ impl Program {
         self.session.open(shapes, first);
         self.ui.suit_navigation(first.look);
         self.fit_due = false;
+        self.views_before.clear();
         self.own_view_due = view.is_some() && !compared;
         if view.is_none() && !compared {
             self.show_whole();

@@ -52,6 +52,7 @@ mod several_poses;
 mod sources;
 mod split_view;
 mod start_pictures;
+mod view_before;
 mod window_picture;
 
 pub use autosave::Unsaved;

@@ -15,6 +15,7 @@ use super::preferences::Preferences;
 use super::questions::Asked;
 use super::reading::Readings;
 use super::start_pictures::StartPictures;
+use super::view_before::ViewBefore;
 use super::{FileKind, Host, HostEvent, NotStored, Purpose, globals};
 use crate::diagnose::ToldFor;
 use crate::editor::{Session, Severity};
@@ -127,6 +128,8 @@ pub struct Program {
     pub(super) fit_area: FitArea,
     /// Whether everything is to be fitted into the picture as soon as its size is known.
     pub(super) fit_due: bool,
+    /// Views from before the document was fitted into the picture with what had been added.
+    pub(super) views_before: Vec<ViewBefore>,
     /// Whether a document's own view is to suit the picture as soon as its size is known.
     pub(super) own_view_due: bool,
     /// The character of a comparison that has begun, to be seen large as soon as the size of the picture is
@@ -179,6 +182,7 @@ impl Program {
             backdrop: Backdrop::default(),
             fit_area: FitArea::whole(4.0 / 3.0),
             fit_due: false,
+            views_before: Vec::new(),
             own_view_due: false,
             closer_due: None,
             refused: None,
@@ -316,7 +320,7 @@ impl Program {
         self.fit_area = output.fit_area(&self.ui);
         let mut fits = std::mem::take(&mut self.fit_due);
         if fits {
-            self.fit_all(self.fit_area);
+            self.fit_added();
         }
         fits |= self.suit_own_view() | self.come_closer();
         if pass == Pass::Input {

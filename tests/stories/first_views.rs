@@ -117,6 +117,45 @@ fn a_figure_that_is_inserted_stands_on_the_ground_of_the_shapes_that_are_there()
 }
 
 #[test]
+fn the_view_that_is_fitted_to_what_is_added_comes_back_when_that_is_taken_back() {
+    let mut story = Story::start(&["builtin:robot"]);
+    let framed = Camera {
+        theta: 0.4,
+        radius: 1.0,
+        ..story.session().view().camera
+    };
+    let camera = |story: &Story| story.session().view().camera;
+    let look_at = |story: &mut Story, camera| {
+        story.program.session_mut().look(View::SetCamera(camera));
+        story.settle();
+    };
+    let start = *story.session().start_camera();
+    look_at(&mut story, framed);
+    let add_curve = |story: &mut Story| {
+        story.key_with(Modifiers::SHIFT, Key::N);
+        assert_ne!(camera(story), framed, "it would not be seen");
+    };
+    add_curve(&mut story);
+    // Also after other steps.
+    story.type_into("Position X", "3");
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert_ne!(camera(&story), framed);
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(story.names().len(), 1);
+    assert_eq!(camera(&story), framed);
+    assert_eq!(*story.session().start_camera(), start);
+    // Who has moved the camera since wants it there.
+    add_curve(&mut story);
+    let moved = Camera {
+        radius: 2.0,
+        ..framed
+    };
+    look_at(&mut story, moved);
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(camera(&story), moved);
+}
+
+#[test]
 fn a_figure_that_would_fill_the_view_is_seen_whole() {
     let mut story = Story::start(&["builtin:dog"]);
     let mut camera = story.session().view().camera;
