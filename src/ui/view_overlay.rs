@@ -299,10 +299,14 @@ fn status(
             };
             (Some(name), next.into())
         }
-        over => (
-            over.map(|(_, name)| name),
-            navigation.summary(pointing).into(),
-        ),
+        over => {
+            let summary = navigation.summary(pointing);
+            let next = match posing::beside_bones(session, state.pose.tool) {
+                Some(does) => format!("{does} · {summary}").into(),
+                None => summary.into(),
+            };
+            (over.map(|(_, name)| name), next)
+        }
     }
 }
 

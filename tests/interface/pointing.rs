@@ -73,6 +73,25 @@ fn the_status_line_and_the_first_help_speak_of_fingers_after_a_touch_and_of_butt
 }
 
 #[test]
+fn beside_the_figure_the_status_line_says_what_the_tool_does_with_bones() {
+    let summary = "Left drag moves the scene · right drag turns it · wheel zooms";
+    let mut editor = Editor::with_figure();
+    for (tool, does) in [
+        ("Pose Tool", "Drag a bone to turn it · "),
+        ("IK Tool", "Drag a bone to bring it somewhere · "),
+        ("Select Tool", ""),
+    ] {
+        editor.click(tool);
+        point_with_a_mouse(&mut editor, ON_THE_GROUND);
+        assert!(editor.has(&format!("{does}{summary}")), "{tool}");
+    }
+    let mut editor = Editor::new();
+    editor.click("Pose Tool");
+    point_with_a_mouse(&mut editor, ON_THE_GROUND);
+    assert!(editor.has(summary), "there is none");
+}
+
+#[test]
 fn over_a_curve_that_is_not_selected_a_finger_is_told_to_tap_it_before_it_drags_its_points() {
     let mut editor = Editor::new();
     editor.choose(&["Insert", "Circle"]);

@@ -258,6 +258,18 @@ pub(super) fn status(
     Some((joint_name(session, hit.shape, joint), next.into()))
 }
 
+/// What a tool does with bones, where the pointer is over none; `None` where there are none to point at.
+pub(super) fn beside_bones(session: &Session, tool: Tool) -> Option<&'static str> {
+    let mut shapes = session.scene().shapes().iter();
+    let has_bones =
+        shapes.any(|shape| shape.visible && session.scene().character(shape.id).is_some());
+    match tool {
+        Tool::Pose if has_bones => Some("Drag a bone to turn it"),
+        Tool::Ik if has_bones => Some("Drag a bone to bring it somewhere"),
+        _ => None,
+    }
+}
+
 /// Cosine of the angle between a bone and the line of sight above which a turn about that line hardly moves it.
 const AT_EYE: f32 = 0.9;
 /// Length of a bone in the picture, relative to the height of that, from which on a hand turns it well all the same.
