@@ -44,6 +44,7 @@ pub struct MemoryHost {
     pub time: Duration,
     pub requests: Vec<Request>,
     pub dialog_is_open: bool,
+    pub is_maximized: bool,
     /// Jobs that wait for [`MemoryHost::run_jobs`].
     pub jobs: Vec<Job>,
     /// Whether all jobs wait, even those that are worth waiting for.
@@ -188,6 +189,10 @@ impl Host for MemoryHost {
             recent: suggested.recent,
             name: suggested.name,
         });
+    }
+
+    fn is_maximized(&self) -> bool {
+        self.is_maximized
     }
 
     fn is_dialog_open(&self) -> bool {

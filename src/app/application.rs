@@ -5,7 +5,7 @@ use crate::gpu::{ContextError, GpuError, Rect, WindowContext};
 use crate::io::builtin;
 use crate::program::{
     FrameInput, Graphics, NotStored, Options, Program, ProgramError, StorageKey, globals,
-    last_window_size,
+    last_window,
 };
 use crate::revision::Revision;
 use crate::ui;
@@ -126,14 +126,16 @@ impl Running {
     ) -> Result<Self, AppError> {
         let storage = Storage::new();
         let preferences = storage.load(StorageKey::Preferences);
-        let last = preferences.as_deref().and_then(last_window_size);
-        let last = last.map(|(width, height)| (f64::from(width), f64::from(height)));
-        let (width, height) = last.unwrap_or(globals::WINDOW_SIZE);
+        let last = preferences.as_deref().map(last_window).unwrap_or_default();
+        let size = last.size;
+        let size = size.map(|(width, height)| (f64::from(width), f64::from(height)));
+        let (width, height) = size.unwrap_or(globals::WINDOW_SIZE);
         let (width, height) = on_screen(event_loop, (width, height));
         let (least_width, least_height) = ui::LEAST_SIZE;
         let attributes = Window::default_attributes()
             .with_inner_size(LogicalSize::new(width, height))
             .with_min_inner_size(LogicalSize::new(least_width, least_height))
+            .with_maximized(last.is_maximized)
             .with_visible(false);
         let window = WindowContext::new(event_loop, attributes)?;
         let graphics = Graphics::new(window.gl())?;

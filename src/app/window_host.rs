@@ -231,6 +231,10 @@ impl Host for WindowHost {
         }
     }
 
+    fn is_maximized(&self) -> bool {
+        self.window.window().is_maximized()
+    }
+
     fn is_dialog_open(&self) -> bool {
         self.dialog.is_open()
     }

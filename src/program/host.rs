@@ -34,6 +34,11 @@ pub trait Host {
         false
     }
 
+    /// Whether the window is maximized.
+    fn is_maximized(&self) -> bool {
+        false
+    }
+
     /// Shows those dialogs that the host draws with egui itself. Called in every pass, after the
     /// panels.
     fn show_dialogs(&mut self, _context: &egui::Context) {}

@@ -62,6 +62,6 @@ pub use graphics::{Graphics, GraphicsInfo};
 pub use host::{Host, HostEvent, NotStored, Previous, StorageKey};
 pub use input_parts::input_parts;
 pub use job::{Job, JobResult, RunningJob};
-pub use preferences::last_window_size;
+pub use preferences::{LastWindow, last_window};
 pub use purpose::{FileKind, FileRequest, Purpose, Suggested};
 pub use running::{Options, Program, Shown};

@@ -36,8 +36,10 @@ pub(super) struct Preferences {
     /// Look of documents that have none of their own: the one that was chosen last, or whatever suits
     /// them if `None`.
     pub look: Option<Look>,
-    /// Width and height of the window when the program ended last, in points.
+    /// Width and height of the window when the program ended last, in points; of a maximized one those before it was.
     pub window_size: Option<(f32, f32)>,
+    /// Whether it was maximized then.
+    pub window_maximized: bool,
     /// Documents that were opened or saved last, the newest first.
     pub recent: Vec<PathBuf>,
     /// Whether the program has been started before.
@@ -57,19 +59,34 @@ impl Default for Preferences {
             panel_width: None,
             look: None,
             window_size: None,
+            window_maximized: false,
             recent: Vec::new(),
             started_before: false,
         }
     }
 }
 
-/// Width and height, in points, that the window had when the program ended last, from what is
-/// stored under [`StorageKey::Preferences`]: a host needs it before there is a program.
-pub fn last_window_size(preferences: &[u8]) -> Option<(f32, f32)> {
-    let preferences: Preferences = serde_json::from_slice(preferences).ok()?;
+/// The window when the program ended last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LastWindow {
+    /// Width and height in points, if they are known; of a maximized one those before it was.
+    pub size: Option<(f32, f32)>,
+    /// Whether it was maximized.
+    pub is_maximized: bool,
+}
+
+/// The window when the program ended last, from what is stored under [`StorageKey::Preferences`]: a host needs it before
+/// there is a program.
+pub fn last_window(preferences: &[u8]) -> LastWindow {
+    let Ok(preferences) = serde_json::from_slice::<Preferences>(preferences) else {
+        return LastWindow::default();
+    };
     let is_usable = |side: f32| (100.0..=20_000.0).contains(&side);
-    let size = preferences.window_size?;
-    (is_usable(size.0) && is_usable(size.1)).then_some(size)
+    let size = preferences.window_size;
+    LastWindow {
+        size: size.filter(|size| is_usable(size.0) && is_usable(size.1)),
+        is_maximized: preferences.window_maximized,
+    }
 }
 
 impl Preferences {
@@ -96,6 +113,11 @@ impl Preferences {
             panel_width: changed(self.panel_width, &before.panel_width, theirs.panel_width),
             look: changed(self.look, &before.look, theirs.look),
             window_size: changed(self.window_size, &before.window_size, theirs.window_size),
+            window_maximized: changed(
+                self.window_maximized,
+                &before.window_maximized,
+                theirs.window_maximized,
+            ),
             recent: merged_recent(self.recent, &before.recent, theirs.recent),
             started_before: self.started_before || theirs.started_before,
         }
@@ -107,6 +129,7 @@ impl Preferences {
             last_folder: other.last_folder.clone(),
             folders: other.folders.clone(),
             window_size: other.window_size,
+            window_maximized: other.window_maximized,
             recent: other.recent.clone(),
             ..self
         }
@@ -196,6 +219,7 @@ impl Program {
     /// Stores what is kept of the program at its end.
     pub(super) fn keep_at_end(&mut self, host: &mut dyn Host) {
         self.preferences.window_size = self.window_size.or(self.preferences.window_size);
+        self.preferences.window_maximized = host.is_maximized();
         self.keep_preferences(host);
     }
 

@@ -265,7 +265,9 @@ impl Program {
         if pass == Pass::Input {
             self.graphics.max_texture_side = context.input(|input| input.max_texture_side);
             let size = context.content_rect().size();
-            self.window_size = Some((size.x, size.y));
+            if !host.is_maximized() {
+                self.window_size = Some((size.x, size.y));
+            }
         }
         if let Some(comparison) = &mut self.comparison {
             comparison.load_textures(&context);

@@ -3,6 +3,7 @@
 
 use super::{Story, differing};
 use editor_core::editor::{GizmoAxes, RotationGizmo, Tool, View};
+use editor_core::program::{LastWindow, StorageKey, last_window};
 use editor_core::scene::{Camera, Look, Shading, ShapeKind, ViewDirection};
 use editor_core::ui::{COMMANDS, Command, Navigation};
 use egui::{
@@ -629,16 +630,31 @@ fn a_click_above_the_sheet_is_about_the_scene_and_leaves_the_sheet_open() {
 }
 
 #[test]
-fn the_size_of_the_window_is_kept_for_the_next_start() {
+fn the_size_of_the_window_is_kept_for_the_next_start_and_whether_it_was_maximized() {
     let mut story = Story::start(&[]);
-    let key = editor_core::program::StorageKey::Preferences;
-    let kept = |story: &Story| editor_core::program::last_window_size(&story.host.stored[&key]);
-    assert_eq!(kept(&story), None);
+    let kept = |story: &Story| last_window(&story.host.stored[&StorageKey::Preferences]);
+    assert_eq!(kept(&story), LastWindow::default());
+    // The size to which it goes back is the one before.
+    story.host.is_maximized = true;
+    story.size = (1400, 800);
+    story.settle();
     story.key_with(Modifiers::COMMAND, Key::Q);
     assert!(story.host.quits);
-    assert_eq!(kept(&story), Some((1000.0, 640.0)));
+    let last = LastWindow {
+        size: Some((1000.0, 640.0)),
+        is_maximized: true,
+    };
+    assert_eq!(kept(&story), last);
+    story.host.is_maximized = false;
+    story.settle();
+    story.key_with(Modifiers::COMMAND, Key::Q);
+    let last = LastWindow {
+        size: Some((1400.0, 800.0)),
+        is_maximized: false,
+    };
+    assert_eq!(kept(&story), last);
     for odd in [&b"{}"[..], b"", br#"{"window_size": [1e9, 3]}"#] {
-        assert_eq!(editor_core::program::last_window_size(odd), None);
+        assert_eq!(last_window(odd), LastWindow::default());
     }
 }
 
