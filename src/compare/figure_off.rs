@@ -10,8 +10,10 @@ const SOLID: usize = 7;
 /// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
 /// and a forearm that is turned a little is more than a hundredth.
 const LITTLE: f64 = 0.002;
-/// Pixels from one that stands for those around it to the next.
+/// Pixels from one that stands for those around it to the next, …
 const APART: u32 = 3;
+/// … of figures that are larger than so many: of smaller ones each stands for itself.
+const SMALL: usize = 6000;
 
 /// What differs of a figure between two pictures A and B of one size.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,11 +52,15 @@ impl FigureOff {
             told.flatten().copied().collect()
         };
         let [ours, theirs] = [told(ours), told(theirs)];
+        let right: Vec<usize> = right.collect();
+        let count = ours.len() + theirs.len() + right.len();
+        let apart = if count <= SMALL { 1 } else { APART };
+        let spread = |places: Vec<usize>| grid.spread(places, apart);
         Some(Self {
             area: grid.area_around(ours.iter().chain(&theirs).copied())?,
-            ours: grid.spread(ours.into_iter()),
-            theirs: grid.spread(theirs.into_iter()),
-            right: grid.spread(right),
+            ours: spread(ours),
+            theirs: spread(theirs),
+            right: spread(right),
             has_outline,
         })
     }
@@ -121,11 +127,11 @@ impl PixelGrid {
         }))
     }
 
-    /// Some of these places.
-    fn spread(self, places: impl Iterator<Item = usize>) -> Vec<[u32; 2]> {
-        let pixels = places.map(|at| self.pixel(at));
+    /// Those of these places that are so many pixels apart.
+    fn spread(self, places: Vec<usize>, apart: u32) -> Vec<[u32; 2]> {
+        let pixels = places.into_iter().map(|at| self.pixel(at));
         pixels
-            .filter(|pixel| pixel.iter().all(|along| along % APART == 0))
+            .filter(|pixel| pixel.iter().all(|along| along % apart == 0))
             .collect()
     }
 

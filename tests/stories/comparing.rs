@@ -155,23 +155,29 @@ fn places(story: &Story) -> Vec<String> {
 
 #[test]
 fn each_limb_that_is_off_is_told_and_each_other_shape() {
-    let mut story = Story::start(&["builtin:adult"]);
-    story.size = (1000, 1300);
-    story.settle();
-    compare_with_itself(&mut story, (600, 450));
-    judge(&mut story);
-    for joint in ["Right elbow", "Left foot", "Neck"] {
-        story.type_into(&format!("{joint} X"), "40");
+    // Also of a figure that is small in the picture.
+    for away in [1.0, 2.5] {
+        let mut story = Story::start(&["builtin:adult"]);
+        story.size = (1000, 1300);
+        let mut camera = story.session().view().camera;
+        camera.radius *= away;
+        story.program.session_mut().look(View::SetCamera(camera));
+        story.settle();
+        compare_with_itself(&mut story, (600, 450));
+        judge(&mut story);
+        for joint in ["Right elbow", "Left foot", "Neck"] {
+            story.type_into(&format!("{joint} X"), "40");
+        }
+        judge(&mut story);
+        let mut told = places(&story);
+        told.sort_unstable();
+        let texts = texts(&story);
+        assert_eq!(
+            told,
+            ["Left foot", "Neck", "Right elbow"],
+            "{away}: {texts:?}"
+        );
     }
-    judge(&mut story);
-    let mut told = places(&story);
-    told.sort_unstable();
-    assert_eq!(
-        told,
-        ["Left foot", "Neck", "Right elbow"],
-        "{:?}",
-        texts(&story)
-    );
 
     // Beside a goblet that is elsewhere, the joint is of a character among others.
     let mut story = Story::start(&["builtin:adult", "builtin:adult", "builtin:goblet"]);

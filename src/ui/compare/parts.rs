@@ -1,18 +1,18 @@
 //! Which parts of a scene differ: limbs, by the bones of the characters in view, and other shapes.
 
-use super::bones_seen::characters_seen;
+use super::bones_seen::{CharacterSeen, characters_seen};
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use glam::Vec2;
 
-/// How far from a bone's line a pixel may be that is off where the bone is, by the picture's height: the line runs through the
+/// How far from a bone's line a pixel may be that is off where the bone is, by the figure's scale: the line runs through the
 /// middle of a limb, which is off unless the limb has hardly moved.
 const AT_BONE: f32 = 0.012;
 /// Share of a bone's line that is off where the joint before it is turned: its beginning stays where it is.
 const IS_OFF: f32 = 0.4;
 /// Share of a bone's line from which on it is right, so that the joint above that it hangs on is not turned.
 const IS_RIGHT: f32 = 0.5;
-/// How far from its bones a limb reaches, by the picture's height, …
+/// How far from its bones a limb reaches, by that scale, …
 const THICK: f32 = 0.06;
 /// … and the share of what is off that limbs have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
@@ -50,23 +50,43 @@ fn distance_from([start, end]: [Vec2; 2], pixel: Vec2) -> f32 {
 
 /// Where a part is in the live view.
 enum Reach {
-    /// Around bones.
-    Bones(Vec<BoneBeside>),
+    /// So far around bones.
+    Bones(Vec<[Vec2; 2]>, f32),
     /// In the box around a shape.
     Box([Vec2; 2]),
 }
 
 impl Reach {
-    /// How far a pixel is from the bones. One in a box is as far as a limb reaches, so that it is a limb's where there is one.
-    fn distance(&self, pixel: Vec2, thick: f32) -> f32 {
+    /// How far a pixel is, by how far the part reaches. One in a box is as far as a limb reaches, so that it is a limb's where
+    /// there is one.
+    fn distance(&self, pixel: Vec2) -> f32 {
         match self {
-            Self::Bones(bones) => {
-                let distances = bones.iter().map(|bone| distance_from(bone.ends, pixel));
-                distances.fold(f32::INFINITY, f32::min)
+            Self::Bones(bones, thick) => {
+                let distances = bones.iter().map(|bone| distance_from(*bone, pixel));
+                distances.fold(f32::INFINITY, f32::min) / thick
             }
-            Self::Box([least, most]) => thick + pixel.distance(pixel.clamp(*least, *most)),
+            Self::Box([least, most]) => 1.0 + pixel.distance(pixel.clamp(*least, *most)),
         }
     }
+}
+
+/// How much higher a picture is than the bones in it of which it is the scale: that of smaller ones is less.
+const FILLS: f32 = 2.0;
+
+/// The scale of a character in a picture of such a height: that, or less where the character is small.
+fn scale(character: &CharacterSeen, height: f32) -> f32 {
+    let pixels = || {
+        character
+            .bones
+            .iter()
+            .flat_map(|(_, pixels)| pixels)
+            .copied()
+    };
+    let size = |[least, most]: [Vec2; 2]| (most - least).max_element();
+    let ends = pixels().reduce(Vec2::min).zip(pixels().reduce(Vec2::max));
+    ends.map_or(height, |(least, most)| {
+        height.min(FILLS * size([least, most]))
+    })
 }
 
 /// The parts that differ in a live view of `size` pixels: limbs of the joints nearest to the root that turn bones that are
@@ -74,7 +94,6 @@ impl Reach {
 /// is elsewhere moves as well.
 pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Part> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
-    let thick = THICK * size.y;
     let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right].map(|pixels| {
         let pixels = pixels.iter().map(|&[x, y]| Vec2::new(x as f32, y as f32));
         pixels.collect::<Vec<Vec2>>()
@@ -82,17 +101,15 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let Some(limbs) = seen_limbs(session, [&ours, &right], size) else {
         return Vec::new();
     };
-    let limbs = limbs
-        .into_iter()
-        .map(|(name, bones)| (name, Reach::Bones(bones)));
-    let seen: Vec<(String, Reach)> = limbs.chain(seen_shapes(session, size)).collect();
+    let mut seen = limbs;
+    seen.extend(seen_shapes(session, size));
     let nearest = |pixel: Vec2| {
-        let distances = seen.iter().map(|(_, reach)| reach.distance(pixel, thick));
+        let distances = seen.iter().map(|(_, reach)| reach.distance(pixel));
         distances
             .enumerate()
             .min_by(|(_, a), (_, b)| a.total_cmp(b))
     };
-    let is_at_part = |pixel: &&Vec2| nearest(**pixel).is_some_and(|(_, it)| it <= thick);
+    let is_at_part = |pixel: &&Vec2| nearest(**pixel).is_some_and(|(_, it)| it <= 1.0);
     let explained = ours.iter().filter(is_at_part).count() as f32;
     if explained < EXPLAINED * ours.len() as f32 {
         return Vec::new();
@@ -131,17 +148,18 @@ pub(super) fn of_shapes(session: &Session, off: &FigureOff, size: (u32, u32)) ->
         return of_shapes;
     }
     let size = Vec2::new(size.0 as f32, size.1 as f32);
-    let thick = THICK * size.y;
     let characters = characters_seen(session, size).into_iter();
-    let bones = characters.flat_map(|character| character.bones);
-    let lines = bones.filter_map(|(_, pixels)| Some([*pixels.first()?, *pixels.last()?]));
-    let lines: Vec<[Vec2; 2]> = lines.collect();
-    let shapes = seen_shapes(session, size);
+    let bodies = characters.map(|character| {
+        let thick = THICK * scale(&character, size.y);
+        let bones = character.bones.iter();
+        let lines = bones.filter_map(|(_, pixels)| Some([*pixels.first()?, *pixels.last()?]));
+        Reach::Bones(lines.collect(), thick)
+    });
+    let shapes = seen_shapes(session, size).into_iter();
+    let all: Vec<Reach> = bodies.chain(shapes.map(|(_, shape)| shape)).collect();
     of_shapes.ours.retain(|&[x, y]| {
         let pixel = Vec2::new(x as f32, y as f32);
-        let mut boxes = shapes.iter();
-        boxes.any(|(_, shape)| shape.distance(pixel, thick) <= thick)
-            || (lines.iter()).any(|line| distance_from(*line, pixel) <= thick)
+        all.iter().any(|shape| shape.distance(pixel) <= 1.0)
     });
     of_shapes
 }
@@ -173,11 +191,14 @@ fn seen_limbs(
     session: &Session,
     [off, right]: [&[Vec2]; 2],
     size: Vec2,
-) -> Option<Vec<(String, Vec<BoneBeside>)>> {
-    let is_among =
-        |at: Vec2, pixels: &[Vec2]| pixels.iter().any(|it| it.distance(at) <= AT_BONE * size.y);
-    let mut limbs: Vec<(String, Vec<BoneBeside>)> = Vec::new();
+) -> Option<Vec<(String, Reach)>> {
+    let mut limbs: Vec<(String, Reach)> = Vec::new();
     for character in characters_seen(session, size) {
+        let scale = scale(&character, size.y);
+        let is_among = |at: Vec2, pixels: &[Vec2]| {
+            let mut pixels = pixels.iter();
+            pixels.any(|it| it.distance(at) <= AT_BONE * scale)
+        };
         let joints = character.joints;
         let seen = character.bones.iter().filter_map(|(joint, pixels)| {
             let ends = [*pixels.first()?, *pixels.last()?];
@@ -211,17 +232,18 @@ fn seen_limbs(
         if tops.iter().flatten().any(|&top| is_root(top)) {
             return None;
         }
-        let mut own: Vec<(usize, Vec<BoneBeside>)> = Vec::new();
+        let mut own: Vec<(usize, Vec<[Vec2; 2]>)> = Vec::new();
         for bone in seen {
             let Some(top) = tops[bone.joint] else {
                 continue;
             };
             match own.iter_mut().find(|(joint, _)| *joint == top) {
-                Some((_, bones)) => bones.push(bone),
-                None => own.push((top, vec![bone])),
+                Some((_, bones)) => bones.push(bone.ends),
+                None => own.push((top, vec![bone.ends])),
             }
         }
-        let named = |(joint, bones)| (character.name_of(joint), bones);
+        let reach = |bones| Reach::Bones(bones, THICK * scale);
+        let named = |(joint, bones)| (character.name_of(joint), reach(bones));
         limbs.extend(own.into_iter().map(named));
     }
     Some(limbs)
