@@ -117,7 +117,7 @@ impl Graded {
     /// The same, where it is a picture of the mesh of the test `name` in the submission, which has the result `mesh`.
     pub(super) fn showing(self, name: &str, mesh: &Self) -> Self {
         let shown = format!("it shows {name}.obj of the submission");
-        if mesh.outcome == Outcome::Unexplained {
+        if mesh.outcome == Outcome::Unexplained && mesh.nearly.is_empty() {
             return Self {
                 text: format!("{shown}, which nothing explains either\n{}", self.text),
                 ..self
@@ -126,9 +126,7 @@ impl Graded {
         Self {
             text: format!("{shown}:\n{}", mesh.text),
             picture: self.picture,
-            error: self.error,
             agrees: self.agrees,
-            near: self.near,
             shows: self.shows,
             ..mesh.clone()
         }

@@ -112,7 +112,9 @@ fn bring_forward(graded: &mut Graded, place: usize, why: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnose::MOVED_AS_A_WHOLE;
     use crate::grade::Outcome;
+    use crate::grade::rubric::points;
     use std::path::Path;
 
     fn graded(causes: &[&[&str]]) -> Graded {
@@ -228,6 +230,31 @@ mod tests {
             "of the picture".to_owned(),
         );
         assert_eq!(settled(explained, None), own);
+        // One that is nearly right is explained by what is wrong with it.
+        let turned = Graded {
+            nearly: vec![MOVED_AS_A_WHOLE.to_owned()],
+            error: Some(1.4),
+            ..Graded::without(Outcome::Unexplained, "of axes")
+        };
+        let (test, rubric) = (&file.tests[1], &file.rubric);
+        let left = |of: &Graded| points(test, of, rubric)["3.4"];
+        let shown = Graded::without(Outcome::Unexplained, "of the picture").showing("a", &turned);
+        assert_eq!(shown.text, "it shows a.obj of the submission:\nof axes");
+        assert_eq!((left(&shown), left(&turned)), (0.75, 0.75));
+        // So is one that is hardly off, however much of the silhouette that is.
+        let slight = Graded {
+            error: Some(0.0004),
+            near: 1.0,
+            ..graded(&[&["angles-exchanged"]])
+        };
+        let shown = Graded {
+            error: Some(0.1),
+            ..Graded::without(Outcome::Unexplained, "of the picture")
+        };
+        assert_eq!(
+            (left(&shown.showing("a", &slight)), left(&slight)),
+            (0.9, 0.9)
+        );
         let unexplained = Graded::without(Outcome::Unexplained, "of the mesh");
         let told =
             "it shows a.obj of the submission, which nothing explains either\nof the picture";
