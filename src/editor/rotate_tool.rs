@@ -195,6 +195,8 @@ pub struct BoneDrag {
     /// Direction from the axis to the grabbed point, of unit length; if the joint itself was
     /// grabbed, unknown until the cursor has left it.
     from: Option<DVec3>,
+    /// Angle between cursor and joint, in radians seen from the eye, below which the cursor has no direction.
+    on_joint: f64,
     /// Angle of the cursor, in radians.
     wanted: f64,
     /// Angle of the joint, in radians: in steps if it snaps.
@@ -220,6 +222,7 @@ impl BoneDrag {
             to_joint,
             axis,
             from: None,
+            on_joint: ON_THE_JOINT,
             wanted: 0.0,
             angle: 0.0,
         };
@@ -228,6 +231,18 @@ impl BoneDrag {
             direction: grabbed - eye,
         });
         Some(drag)
+    }
+
+    /// The same of a bone that is grabbed next to its joint, from where every pixel is another direction: its `tip`, in the
+    /// world, points to the cursor once that is farther from the joint than `on_joint`, in radians seen from the `eye`.
+    #[must_use]
+    pub fn pointing(mut self, eye: Vec3, tip: Vec3, on_joint: f64) -> Self {
+        self.from = self.side(&Ray {
+            origin: eye,
+            direction: tip - eye,
+        });
+        self.on_joint = on_joint;
+        self
     }
 
     /// Edit that turns the joint for the cursor on `ray`, which starts at the eye; with `snap` in
@@ -267,7 +282,7 @@ impl BoneDrag {
     fn side(&self, ray: &Ray) -> Option<DVec3> {
         let across = ray.direction.as_dvec3().cross(self.to_joint).length();
         let along = f64::from(ray.direction.length()) * self.to_joint.length();
-        if across <= ON_THE_JOINT * along {
+        if across <= self.on_joint * along {
             return None;
         }
         let direction = self.turn.model_ray(ray).direction;

@@ -317,13 +317,17 @@ pub(super) fn press(
         return actions.extend(tell_once(why, session));
     }
     let view = session.view();
-    if command == Command::ResetCamera
-        && view.look == Look::Mannequin
-        && !state.compares[0]
-        && view.camera != *session.start_camera()
-    {
-        let again = "Home once more leads to where the Virtual Mannequin's page starts";
-        actions.extend(tell_once(again, session));
+    if command == Command::ResetCamera && view.look == Look::Mannequin && !state.compares[0] {
+        let start = *session.start_camera();
+        let told = match commands::second_home(session) {
+            None => Some("Home once more leads to where the Virtual Mannequin's page starts"),
+            Some(page) if page != start => Some(
+                "This is where the Virtual Mannequin's page starts: Home leads back to where the document does, and \
+                 Shift+F shows all of it",
+            ),
+            Some(_) => None,
+        };
+        actions.extend(told.and_then(|told| tell_once(told, session)));
     }
     let selected = session.selected().and_then(|id| session.scene().shape(id));
     let hides = command == Command::ToggleVisible && selected.is_some_and(|shape| shape.visible);

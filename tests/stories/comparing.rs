@@ -691,6 +691,8 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
     story.key(Key::Home);
     let camera = story.session().view().camera;
     assert!(camera.eye().abs_diff_eq(Vec3::new(0.0, 0.0, -6.0), 1e-5));
+    let (_, told) = *story.messages().last().expect("where that is");
+    assert!(told.starts_with("This is where the Virtual Mannequin's page starts"));
 }
 
 /// A story in which the robot is compared with a screenshot of the page; `None` without the reference data.

@@ -2,6 +2,7 @@
 
 use super::Story;
 use crate::host::MemoryHost;
+use editor_core::editor::Severity;
 use editor_core::program::StorageKey;
 use editor_core::scene::{Look, ShapeKind};
 use editor_core::ui::Navigation;
@@ -41,7 +42,8 @@ fn a_scene_of_the_mannequin_that_is_opened_by_name_has_its_bones_digits_and_arro
     let opened = story.session().opened();
     story.key(Key::Num2);
     assert_ne!(story.session().opened(), opened, "digits do nothing");
-    assert!(story.messages().is_empty(), "{:?}", story.messages());
+    let told = "Opened Mannequin 2: Chain in the place of mannequin-1";
+    assert_eq!(story.messages(), [(Severity::Info, told)]);
 
     // What is opened afterwards is not navigated like that, since nobody has chosen it.
     story.host.drop_file("builtin:scenes/turned.scene");

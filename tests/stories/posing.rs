@@ -349,3 +349,37 @@ fn what_was_wrong_with_a_pose_file_is_not_told_any_longer_once_another_one_is_lo
         2
     );
 }
+
+#[test]
+fn a_bone_that_is_grabbed_at_its_joint_points_to_the_pointer() {
+    let mut story = Story::start(&["builtin:robot"]);
+    story.click("Pose Tool");
+    // Its elbow, and the end of the forearm.
+    let ends = |story: &Story| {
+        let session = story.session();
+        let shape = session.evaluated().shape(story.shape().id).unwrap();
+        let character = session.scene().character(shape.id).unwrap();
+        let joints = character.character.skeleton().joints();
+        let elbow = joints.iter().position(|joint| joint.name == "Left elbow");
+        let mut bones = bones_in_world(session.scene(), shape);
+        let (_, joint, tip) = bones.find(|bone| Some(bone.0) == elbow).unwrap();
+        [story.at(joint), story.at(tip)]
+    };
+    let [joint, tip] = ends(&story);
+    let along = (tip - joint).normalized();
+    // Beside the joint, where every pixel is another direction.
+    for beside in [along * 2.0, along * 3.0 + along.rot90() * 2.0] {
+        for to in [vec2(20.0, 60.0), vec2(-30.0, 40.0), vec2(5.0, -50.0)] {
+            story.drag(joint + beside, joint + to);
+            let [at, tip] = ends(&story);
+            assert!((at - joint).length() < 0.5, "the joint stays");
+            let cosine = (tip - at).normalized().dot(to.normalized());
+            assert!(cosine > 0.999, "{beside} to {to}: {cosine}");
+            story.key_with(Modifiers::COMMAND, Key::Z);
+        }
+        // A hand that trembles there turns nothing.
+        let before = ends(&story);
+        story.drag(joint + beside, joint - beside);
+        assert_eq!(ends(&story), before);
+    }
+}

@@ -5,7 +5,7 @@ use super::shown_gizmo::{begin_by_key, shown_gizmo};
 use super::{LetGo, PoseState, ik, shows_skeleton, takes_bones_of};
 use crate::editor::{BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, Session, Tool, View, root_of};
 use crate::math::Ray;
-use crate::scene::{BoneHit, ShapeId, pick_bone, turned_there};
+use crate::scene::{BoneHit, ShapeId, bones_in_world, pick_bone, turned_there};
 use crate::ui::grab::{Grab, PointerUse};
 use crate::ui::pointing::Pointing;
 use crate::ui::scene_places::{Place, ScenePlaces};
@@ -270,7 +270,7 @@ fn take(
     }
     if let Some(hit) = bone {
         let drag = match state.tool {
-            Tool::Pose => turn_bone(session, state, hit)?,
+            Tool::Pose => turn_bone(session, state, hit, (pixel, place.size()))?,
             Tool::Ik => ik::take(session, &hit, &screen, &ray)?,
             _ => move_root(session, hit, &ray, all)?,
         };
@@ -295,15 +295,34 @@ fn take(
     Some(Held::new(Drag::Move(drag), None, ray, state.axes))
 }
 
-fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<Drag> {
-    let eye = session.view().camera.eye();
-    let drag = BoneDrag::begin(
+/// How far from its joint a bone is grabbed, in points, that points to the pointer from then on: nearer, its direction
+/// from the joint is any.
+const AT_JOINT: f32 = 10.0;
+
+/// Begins to turn a bone that is grabbed at a pixel of a view of this size.
+fn turn_bone(
+    session: &Session,
+    state: &mut PoseState,
+    hit: BoneHit,
+    (pixel, size): (Vec2, Vec2),
+) -> Option<Drag> {
+    let camera = &session.view().camera;
+    let eye = camera.eye();
+    let mut drag = BoneDrag::begin(
         session,
         hit.shape,
         hit.joint,
         (eye, hit.point),
         state.together,
     )?;
+    let shape = session.evaluated().shape(hit.shape)?;
+    let (_, joint, tip) = bones_in_world(session.scene(), shape).nth(hit.bone)?;
+    let at = camera.pixel(joint, size);
+    if let Some(at) = at.filter(|at| at.distance(pixel) < AT_JOINT) {
+        let [joint, beside] =
+            [at, at + AT_JOINT * Vec2::X].map(|at| camera.ray(at, size).direction);
+        drag = drag.pointing(eye, tip, f64::from(joint.angle_between(beside)));
+    }
     state.without_gizmo = Some((hit.shape, hit.joint));
     Some(Drag::Bone(drag))
 }
