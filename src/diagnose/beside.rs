@@ -69,6 +69,7 @@ pub(super) async fn find(
 /// Whether each joint hangs on its parent in the file.
 fn has_tree_of_file(formula: &Formula) -> bool {
     formula.parents == Parents::OfFile
+        && !formula.offsets_are_places
         && formula.popped == [Popped::All; 2]
         && formula.left_on_stack == LeftOnStack::Nothing
 }

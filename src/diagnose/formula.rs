@@ -6,7 +6,7 @@ pub use super::tree_formula::{LeftOnStack, OtherJoint, Parents, Popped, Reached,
 pub use super::weight_formula::{
     AtEnd, Columns, Halves, Kept, Rescaled, Rounded, Rows, WeightFormula,
 };
-use crate::character::{Character, FileFrames, Pose};
+use crate::character::{Character, FileFrames, Joint, Pose};
 use glam::{DMat3, DQuat, Vec3};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
@@ -36,6 +36,8 @@ pub struct Formula {
     pub written: [f64; 3],
     /// What joints hang on.
     pub parents: Parents,
+    /// Whether offsets are taken for places in the model, in T and in B: each joint is offset by the difference from its parent's.
+    pub offsets_are_places: bool,
     /// A joint that a program has otherwise than the file.
     pub other_joint: Option<OtherJoint>,
     /// After which joints the matrix stack is popped, in T and in B.
@@ -253,6 +255,12 @@ impl Formula {
             Parents::OfFile => true,
             parents => frames.is_none() && parents.order(character.skeleton()).is_some(),
         };
+        let joints = character.skeleton().joints();
+        let is_child_of_offset = |joint: &Joint| {
+            let of_parent = joint.parent.map(|parent| joints[parent].offset);
+            of_parent.is_some_and(|offset| offset != Vec3::ZERO)
+        };
+        let has_offsets = || frames.is_none() && joints.iter().any(is_child_of_offset);
         let is_of_file = self.factors.are_of_file() || self.joint.about != About::Model;
         let has_shape = self.shaped == Shaped::Exactly || bind_shape.is_some();
         let leaves_out = |(reached, _): (Reached, Unfilled)| {
@@ -267,6 +275,7 @@ impl Formula {
             && has_zeros
             && has_list
             && has_parents
+            && (!self.offsets_are_places || has_offsets())
             && (!is_of_file || frames.is_some())
             && has_shape
     }
@@ -327,6 +336,7 @@ impl Default for Formula {
             vertex_order: VertexOrder::File,
             written: [1.0; 3],
             parents: Parents::OfFile,
+            offsets_are_places: false,
             other_joint: None,
             popped: [Popped::All; 2],
             left_on_stack: LeftOnStack::Nothing,

@@ -279,6 +279,12 @@ impl Tree {
             offsets: joints.iter().map(|joint| joint.offset.as_dvec3()).collect(),
             order: order.unwrap_or_else(|| model.by_depth.clone()),
         };
+        if formula.offsets_are_places {
+            let of_parent = |joint: usize| joints[joint].parent.map(|parent| joints[parent].offset);
+            for (joint, offset) in tree.offsets.iter_mut().enumerate() {
+                *offset -= of_parent(joint).unwrap_or_default().as_dvec3();
+            }
+        }
         if let Some(other) = formula.other_joint {
             tree.parents[other.joint] = other.parent;
             tree.offsets[other.joint] = other.offset;

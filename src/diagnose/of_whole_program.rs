@@ -53,6 +53,16 @@ static PARENTS_MISREAD: Mistake = Mistake {
     ],
 };
 
+/// A mistake in all offsets that it has.
+static OFFSETS_MISREAD: Mistake = Mistake {
+    id: "offsets-misread",
+    meaning: "offsets of joints are taken for their places in the model, so that each joint is offset by the difference from its parent's",
+    section: SKELETON,
+    look_at: "where the .skel file is read: the first three numbers of a line are the offset from the parent already, and \
+              nothing is subtracted from them",
+    readings: &[reading("", |formula| formula.offsets_are_places = true)],
+};
+
 /// What comes of a stack that no joint is popped from.
 macro_rules! on_visited {
     ($where:literal) => {
@@ -336,7 +346,7 @@ static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 38] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 39] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -347,6 +357,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 38] = [
     &STACK_NOT_POPPED,
     &JOINTS_NOT_REACHED,
     &PARENTS_MISREAD,
+    &OFFSETS_MISREAD,
     &TRANSLATION_OVERWRITTEN,
     &OFFSET_REPEATED,
     &ROOT_TRANSLATION_MISSING,

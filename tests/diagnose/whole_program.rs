@@ -480,6 +480,22 @@ fn a_root_that_is_not_turned_is_named_however_far_the_pose_turns_it() {
 }
 
 #[test]
+fn offsets_that_are_taken_for_places_are_named_also_beside_a_common_mistake() {
+    let figure = Figure::builtin("adult", turned(91));
+    let mut misread = Figure::builtin("adult", turned(91));
+    for (joint, parent) in figure.parents.iter().enumerate() {
+        let of_parent = parent.map_or(Vec3::ZERO, |parent| figure.offsets[parent]);
+        misread.offsets[joint] -= of_parent;
+    }
+    let found = figure.diagnose(&written(&RIGHT.skin(&misread), 6));
+    assert_named(&found, "offsets-misread", "");
+    assert_eq!(found.causes, ["offsets-misread"], "{found}");
+    let zyx = with(&["euler-zyx"]);
+    let found = figure.diagnose(&written(&zyx.skin(&misread), 6));
+    assert_eq!(sorted(&found), ["euler-zyx", "offsets-misread"], "{found}");
+}
+
+#[test]
 fn a_root_that_the_pose_does_not_reach_is_one_mistake_also_beside_another() {
     let mut figure = Figure::builtin("adult", turned(90));
     figure.moved = Vec3::new(0.5, 0.25, -0.1);

@@ -48,8 +48,9 @@ fn a_digit_that_opens_a_scene_of_the_program_says_so_and_enter_after_it_keeps_th
     story.key_with(CTRL, Key::D);
     story.key(Key::Num3);
     assert!(is_asked(&story));
-    let loses = "They are lost if you open Mannequin 3: Tentacle without saving.";
-    assert!(story.has_text(loses));
+    assert!(story.has_text(
+        "“a.scene” has changes that are not saved. They are lost if you open Mannequin 3: Tentacle without saving."
+    ));
     // As at the end of a number that was meant for a field.
     story.key(Key::Enter);
     assert!(!is_asked(&story));
@@ -65,7 +66,7 @@ fn a_digit_that_opens_a_scene_of_the_program_says_so_and_enter_after_it_keeps_th
         Severity::Info,
         "Opened Mannequin 2: Chain in the place of mannequin-3",
     );
-    assert_eq!(story.messages(), [told]);
+    assert_eq!(story.messages().last(), Some(&told));
 }
 
 #[test]
