@@ -126,6 +126,7 @@ impl Graded {
         Self {
             text: format!("{shown}:\n{}", mesh.text),
             picture: self.picture,
+            error: self.error,
             agrees: self.agrees,
             shows: self.shows,
             ..mesh.clone()

@@ -241,20 +241,6 @@ mod tests {
         let shown = Graded::without(Outcome::Unexplained, "of the picture").showing("a", &turned);
         assert_eq!(shown.text, "it shows a.obj of the submission:\nof axes");
         assert_eq!((left(&shown), left(&turned)), (0.75, 0.75));
-        // So is one that is hardly off, however much of the silhouette that is.
-        let slight = Graded {
-            error: Some(0.0004),
-            near: 1.0,
-            ..graded(&[&["angles-exchanged"]])
-        };
-        let shown = Graded {
-            error: Some(0.1),
-            ..Graded::without(Outcome::Unexplained, "of the picture")
-        };
-        assert_eq!(
-            (left(&shown.showing("a", &slight)), left(&slight)),
-            (0.9, 0.9)
-        );
         let unexplained = Graded::without(Outcome::Unexplained, "of the mesh");
         let told =
             "it shows a.obj of the submission, which nothing explains either\nof the picture";

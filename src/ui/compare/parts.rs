@@ -3,6 +3,7 @@
 use super::bones_seen::{CharacterSeen, characters_seen};
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
+use crate::scene::ShapeId;
 use glam::Vec2;
 
 /// How far from a bone's line a pixel may be that is off where the bone is, by the figure's scale: the line runs through the
@@ -12,6 +13,8 @@ const AT_BONE: f32 = 0.012;
 const IS_OFF: f32 = 0.4;
 /// Share of a bone's line from which on it is right, so that the joint above that it hangs on is not turned.
 const IS_RIGHT: f32 = 0.5;
+/// Share of the bones that hang on a joint which may be right where it is turned: where they are now, others were.
+const RIGHT_BELOW: f32 = 0.4;
 /// How far from its bones a limb reaches, by that scale, …
 const THICK: f32 = 0.06;
 /// … and the share of what is off that limbs have to have: with less something else differs, such as the camera.
@@ -51,9 +54,18 @@ fn distance_from([start, end]: [Vec2; 2], pixel: Vec2) -> f32 {
 /// Where a part is in the live view.
 enum Reach {
     /// So far around bones.
-    Bones(Vec<[Vec2; 2]>, f32),
+    Bones {
+        lines: Vec<[Vec2; 2]>,
+        thick: f32,
+        /// Where the joint is that turns them.
+        joint: Vec2,
+    },
     /// In the box around a shape.
-    Box([Vec2; 2]),
+    Box {
+        id: ShapeId,
+        least: Vec2,
+        most: Vec2,
+    },
 }
 
 impl Reach {
@@ -61,11 +73,26 @@ impl Reach {
     /// there is one.
     fn distance(&self, pixel: Vec2) -> f32 {
         match self {
-            Self::Bones(bones, thick) => {
-                let distances = bones.iter().map(|bone| distance_from(*bone, pixel));
+            Self::Bones { lines, thick, .. } => {
+                let distances = lines.iter().map(|line| distance_from(*line, pixel));
                 distances.fold(f32::INFINITY, f32::min) / thick
             }
-            Self::Box([least, most]) => 1.0 + pixel.distance(pixel.clamp(*least, *most)),
+            Self::Box { least, most, .. } => 1.0 + pixel.distance(pixel.clamp(*least, *most)),
+        }
+    }
+
+    /// Whether what was at a pixel can be the part, turned otherwise or moved.
+    fn may_have_been_at(&self, pixel: Vec2) -> bool {
+        match self {
+            Self::Bones {
+                lines,
+                thick,
+                joint,
+            } => {
+                let ends = lines.iter().flatten().map(|end| end.distance(*joint));
+                pixel.distance(*joint) <= ends.fold(0.0, f32::max) + thick
+            }
+            Self::Box { .. } => true,
         }
     }
 }
@@ -102,7 +129,8 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         return Vec::new();
     };
     let mut seen = limbs;
-    seen.extend(seen_shapes(session, size));
+    let shapes = seen_shapes(session, size).into_iter();
+    seen.extend(shapes.filter(|(_, reach)| shows(session, reach, &ours, size)));
     let nearest = |pixel: Vec2| {
         let distances = seen.iter().map(|(_, reach)| reach.distance(pixel));
         distances
@@ -117,9 +145,18 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     // The figure is as large in both pictures.
     let of_both = 2.0 * (ours.len() + right.len()) as f64;
     let mut pixels = vec![Vec::new(); seen.len()];
-    for &pixel in ours.iter().chain(&theirs) {
+    let mut add = |part: usize, pixel: Vec2| pixels[part].push((pixel.x as u32, pixel.y as u32));
+    for &pixel in &ours {
         if let Some((part, _)) = nearest(pixel) {
-            pixels[part].push((pixel.x as u32, pixel.y as u32));
+            add(part, pixel);
+        }
+    }
+    for &pixel in &theirs {
+        let all = seen.iter().enumerate();
+        let may_be = all.filter(|(_, (_, reach))| reach.may_have_been_at(pixel));
+        let distances = may_be.map(|(part, (_, reach))| (part, reach.distance(pixel)));
+        if let Some((part, _)) = distances.min_by(|(_, a), (_, b)| a.total_cmp(b)) {
+            add(part, pixel);
         }
     }
     let parts = seen.into_iter().zip(pixels);
@@ -153,7 +190,11 @@ pub(super) fn of_shapes(session: &Session, off: &FigureOff, size: (u32, u32)) ->
         let thick = THICK * scale(&character, size.y);
         let bones = character.bones.iter();
         let lines = bones.filter_map(|(_, pixels)| Some([*pixels.first()?, *pixels.last()?]));
-        Reach::Bones(lines.collect(), thick)
+        Reach::Bones {
+            lines: lines.collect(),
+            thick,
+            joint: Vec2::ZERO,
+        }
     });
     let shapes = seen_shapes(session, size).into_iter();
     let all: Vec<Reach> = bodies.chain(shapes.map(|(_, shape)| shape)).collect();
@@ -180,9 +221,67 @@ fn seen_shapes(session: &Session, size: Vec2) -> Vec<(String, Reach)> {
         let pixels = pixels.collect::<Option<Vec<Vec2>>>()?;
         let least = pixels.iter().copied().reduce(Vec2::min)?;
         let most = pixels.iter().copied().reduce(Vec2::max)?;
-        Some((shape.name.to_string(), Reach::Box([least, most])))
+        let id = shape.id;
+        Some((shape.name.to_string(), Reach::Box { id, least, most }))
     });
     boxes.collect()
+}
+
+/// Pixels in the box around a shape of which it is found out whether the shape is there, …
+const PROBED: usize = 64;
+/// … and the share of them from which on the shape differs, and not only what was behind or before it.
+const SHOWS: f64 = 0.3;
+
+/// Whether many of the pixels `ours` in a box show the shape.
+fn shows(session: &Session, reach: &Reach, ours: &[Vec2], size: Vec2) -> bool {
+    let Reach::Box { id, .. } = reach else {
+        return true;
+    };
+    let Some(shape) = session.evaluated().shape(*id) else {
+        return false;
+    };
+    let inside: Vec<Vec2> = ours
+        .iter()
+        .copied()
+        .filter(|pixel| reach.distance(*pixel) <= 1.0)
+        .collect();
+    let probed = inside.iter().step_by(inside.len().div_ceil(PROBED).max(1));
+    let camera = &session.view().camera;
+    let count = probed.len() as f64;
+    let met = probed.filter(|pixel| shape.is_met_by(&camera.ray(**pixel, size)));
+    met.count() as f64 > SHOWS * count
+}
+
+/// Pixels by where they are.
+struct PixelMap {
+    is_in: Vec<bool>,
+    size: [usize; 2],
+}
+
+impl PixelMap {
+    fn new(pixels: &[Vec2], size: Vec2) -> Self {
+        let size = [size.x as usize, size.y as usize];
+        let mut is_in = vec![false; size[0] * size[1]];
+        for pixel in pixels {
+            is_in[pixel.y as usize * size[0] + pixel.x as usize] = true;
+        }
+        Self { is_in, size }
+    }
+
+    /// Distance of the nearest pixel, if there is one within `most`.
+    fn nearest(&self, at: Vec2, most: f32) -> Option<f32> {
+        let along = |at: f32, size: usize| {
+            let end = (at + most).floor().max(-1.0) + 1.0;
+            (at - most).ceil().max(0.0) as usize..size.min(end as usize)
+        };
+        let rows = along(at.y, self.size[1]);
+        let pixels = rows.flat_map(|y| along(at.x, self.size[0]).map(move |x| (x, y)));
+        let known = pixels.filter(|(x, y)| self.is_in[y * self.size[0] + x]);
+        let distances = known.map(|(x, y)| Vec2::new(x as f32, y as f32).distance(at));
+        distances
+            .filter(|distance| *distance <= most)
+            .reduce(f32::min)
+    }
 }
 
 /// The limbs whose bones are at pixels that are `off` in the live view while others are `right`, each with all of its bones;
@@ -192,24 +291,30 @@ fn seen_limbs(
     [off, right]: [&[Vec2]; 2],
     size: Vec2,
 ) -> Option<Vec<(String, Reach)>> {
+    let [off, right] = [off, right].map(|pixels| PixelMap::new(pixels, size));
     let mut limbs: Vec<(String, Reach)> = Vec::new();
     for character in characters_seen(session, size) {
         let scale = scale(&character, size.y);
-        let is_among = |at: Vec2, pixels: &[Vec2]| {
-            let mut pixels = pixels.iter();
-            pixels.any(|it| it.distance(at) <= AT_BONE * scale)
-        };
+        let nearest = |at: Vec2, pixels: &PixelMap| pixels.nearest(at, AT_BONE * scale);
         let joints = character.joints;
         let seen = character.bones.iter().filter_map(|(joint, pixels)| {
             let ends = [*pixels.first()?, *pixels.last()?];
-            let (of_off, others): (Vec<Vec2>, Vec<Vec2>) =
-                pixels.iter().partition(|&&at| is_among(at, off));
-            let of_right = others.iter().filter(|&&at| is_among(at, right)).count();
-            let share = |count: usize| count as f32 / (of_off.len() + others.len()) as f32;
+            let both = pixels
+                .iter()
+                .map(|&at| [&off, &right].map(|all| nearest(at, all)));
+            let (mut of_off, mut of_right) = (0, 0);
+            for [off, right] in both {
+                match (off, right) {
+                    (Some(off), right) if right.is_none_or(|right| off <= right) => of_off += 1,
+                    (_, Some(_)) => of_right += 1,
+                    _ => {}
+                }
+            }
+            let share = |count: usize| count as f32 / pixels.len() as f32;
             Some(BoneBeside {
                 joint: *joint,
                 ends,
-                off: share(of_off.len()),
+                off: share(of_off),
                 right: share(of_right),
             })
         });
@@ -221,8 +326,14 @@ fn seen_limbs(
             let mut next = seen
                 .iter()
                 .filter(|bone| joints[bone.joint].parent == Some(joint));
+            let below = seen
+                .iter()
+                .filter(|bone| bone.joint != joint && above(bone.joint).any(|it| it == joint));
+            let (right, others): (Vec<&BoneBeside>, Vec<_>) =
+                below.partition(|bone| bone.right >= IS_RIGHT);
             own.any(|bone| bone.off >= IS_OFF && bone.off > bone.right)
                 && next.all(|bone| bone.right < IS_RIGHT)
+                && right.len() as f32 <= RIGHT_BELOW * (right.len() + others.len()) as f32
         };
         let turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
         let tops: Vec<Option<usize>> = (0..joints.len())
@@ -242,8 +353,17 @@ fn seen_limbs(
                 None => own.push((top, vec![bone.ends])),
             }
         }
-        let reach = |bones| Reach::Bones(bones, THICK * scale);
-        let named = |(joint, bones)| (character.name_of(joint), reach(bones));
+        let named = |(joint, lines): (usize, Vec<[Vec2; 2]>)| {
+            let mut bones = character.bones.iter();
+            let own = bones.find(|(of, _)| *of == joint);
+            let at = own.and_then(|(_, pixels)| pixels.first());
+            let reach = Reach::Bones {
+                joint: *at.unwrap_or(&lines[0][0]),
+                lines,
+                thick: THICK * scale,
+            };
+            (character.name_of(joint), reach)
+        };
         limbs.extend(own.into_iter().map(named));
     }
     Some(limbs)
