@@ -204,6 +204,30 @@ fn each_limb_that_is_off_is_told_and_each_other_shape() {
 }
 
 #[test]
+fn of_a_limb_that_is_turned_nothing_else_is_told() {
+    for look in [Look::Course, Look::Studio] {
+        for (joint, axis, degrees) in [
+            ("Right leg", "X", "-62"),
+            ("Left leg", "Z", "25"),
+            ("Right knee", "X", "40"),
+            ("Left shoulder", "Z", "-50"),
+        ] {
+            let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
+            story.size = (1000, 1300);
+            let seen = vec![Action::View(View::SetLook(look))];
+            story.program.carry_out(seen, &mut story.host);
+            story.settle();
+            story.click("[1] Adult (ID: 1)");
+            compare_with_itself(&mut story, (800, 600));
+            judge(&mut story);
+            story.type_into(&format!("{joint} {axis}"), degrees);
+            judge(&mut story);
+            assert_eq!(places(&story), [joint], "{look:?}");
+        }
+    }
+}
+
+#[test]
 fn how_much_of_a_comparison_is_done_is_shown_while_it_goes_on() {
     let (mut story, mut job) = judging();
     let told = |story: &Story| {

@@ -14,6 +14,8 @@ pub(super) struct CharacterSeen<'a> {
     /// Joints that turn bones, and where points along the bone are, in pixels, from the joint on. Those behind the camera
     /// are left out.
     pub bones: Vec<(usize, Vec<Vec2>)>,
+    /// How long these bones are, in the world.
+    pub lengths: Vec<f32>,
     /// Name of the character, if there are several.
     name: Option<&'a str>,
 }
@@ -41,11 +43,13 @@ pub(super) fn characters_seen(session: &Session, size: Vec2) -> Vec<CharacterSee
         let bones = bones.map(|(joint, start, end)| {
             let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
             let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
-            (joint, pixels.collect())
+            ((joint, pixels.collect()), start.distance(end))
         });
+        let (bones, lengths) = bones.unzip();
         Some(CharacterSeen {
             joints: character.character.skeleton().joints(),
-            bones: bones.collect(),
+            bones,
+            lengths,
             name: are_several.then_some(&*shape.name),
         })
     });

@@ -13,12 +13,16 @@ const AT_BONE: f32 = 0.012;
 const IS_OFF: f32 = 0.4;
 /// Share of a bone's line from which on it is right, so that the joint above that it hangs on is not turned.
 const IS_RIGHT: f32 = 0.5;
+/// Length of a bone, by the longest one of the figure, below which it is inside of the limb that hangs on it, as at hips.
+const SHORT: f32 = 0.25;
 /// Share of the bones that hang on a joint which may be right where it is turned: where they are now, others were.
 const RIGHT_BELOW: f32 = 0.4;
 /// How far from its bones a limb reaches, by that scale, …
 const THICK: f32 = 0.06;
 /// … and the share of what is off that limbs have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
+/// The same where shadows are among what is off.
+const EXPLAINED_ON_GROUND: f32 = 0.6;
 /// Percent of the figure from which on they are no limbs of it any more: a camera that is elsewhere leaves less of it right.
 const FIGURE: f64 = 50.0;
 /// Most parts that differ by themselves.
@@ -139,7 +143,11 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     };
     let is_at_part = |pixel: &&Vec2| nearest(**pixel).is_some_and(|(_, it)| it <= 1.0);
     let explained = ours.iter().filter(is_at_part).count() as f32;
-    if explained < EXPLAINED * ours.len() as f32 {
+    let needed = match off.has_outline {
+        true => EXPLAINED,
+        false => EXPLAINED_ON_GROUND,
+    };
+    if explained < needed * ours.len() as f32 {
         return Vec::new();
     }
     // The figure is as large in both pictures.
@@ -335,7 +343,20 @@ fn seen_limbs(
                 && next.all(|bone| bone.right < IS_RIGHT)
                 && right.len() as f32 <= RIGHT_BELOW * (right.len() + others.len()) as f32
         };
-        let turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
+        let mut turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
+        // From what hangs on it such a joint cannot be told, which is what is posed.
+        let longest = character.lengths.iter().copied().fold(0.0, f32::max);
+        let is_short = |joint: usize| {
+            let bones = character.bones.iter().zip(&character.lengths);
+            let mut own = bones.filter(|((of, _), _)| *of == joint);
+            own.all(|(_, length)| *length < SHORT * longest)
+        };
+        for joint in 0..joints.len() {
+            let mut children =
+                (0..joints.len()).filter(|&child| joints[child].parent == Some(joint));
+            let has_turned_child = children.any(|child| turned[child]);
+            turned[joint] &= !(has_turned_child && is_short(joint));
+        }
         let tops: Vec<Option<usize>> = (0..joints.len())
             .map(|joint| above(joint).filter(|&above| turned[above]).last())
             .collect();
