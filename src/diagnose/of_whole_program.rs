@@ -56,7 +56,8 @@ static PARENTS_MISREAD: Mistake = Mistake {
 /// A mistake in all offsets that it has.
 static OFFSETS_MISREAD: Mistake = Mistake {
     id: "offsets-misread",
-    meaning: "offsets of joints are taken for their places in the model, so that each joint is offset by the difference from its parent's",
+    meaning: "offsets of joints are taken for their places in the model, so that each joint is offset by the difference \
+              from its parent's",
     section: SKELETON,
     look_at: "where the .skel file is read: the first three numbers of a line are the offset from the parent already, and \
               nothing is subtracted from them",

@@ -104,6 +104,8 @@ pub struct Program {
     pub(super) is_viewer: bool,
     /// Width and height of the window, in points.
     pub(super) window_size: Option<(f32, f32)>,
+    /// The same of the last frame, also of a maximized one.
+    shown_size: Option<(f32, f32)>,
     /// Document, its file and the one that it is compared with, of which the files are watched.
     pub(super) watched_of: Option<(Revision, Option<PathBuf>, Option<PathBuf>)>,
     /// Files that the host watches.
@@ -168,6 +170,7 @@ impl Program {
             autosave: Autosave::default(),
             is_viewer: false,
             window_size: None,
+            shown_size: None,
             watched_of: None,
             watched: BTreeSet::new(),
             exported: HashMap::new(),
@@ -265,8 +268,10 @@ impl Program {
         if pass == Pass::Input {
             self.graphics.max_texture_side = context.input(|input| input.max_texture_side);
             let size = context.content_rect().size();
-            if !host.is_maximized() {
-                self.window_size = Some((size.x, size.y));
+            let size = (size.x, size.y);
+            // To ask an X server in each frame would take as long as its network does.
+            if self.shown_size.replace(size) != Some(size) && !host.is_maximized() {
+                self.window_size = Some(size);
             }
         }
         if let Some(comparison) = &mut self.comparison {

@@ -646,10 +646,11 @@ fn the_size_of_the_window_is_kept_for_the_next_start_and_whether_it_was_maximize
     };
     assert_eq!(kept(&story), last);
     story.host.is_maximized = false;
+    story.size = (1200, 700);
     story.settle();
     story.key_with(Modifiers::COMMAND, Key::Q);
     let last = LastWindow {
-        size: Some((1400.0, 800.0)),
+        size: Some((1200.0, 700.0)),
         is_maximized: false,
     };
     assert_eq!(kept(&story), last);
