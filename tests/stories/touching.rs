@@ -267,7 +267,8 @@ fn what_is_said_while_a_finger_holds_something_needs_neither_keys_nor_buttons() 
     hand.move_by(&mut story, &[vec2(30.0, 0.0)]);
     assert!(story.has_text("A second finger cancels"));
     hand.lift_all(&mut story);
-    assert!(story.has_text("One finger turns the scene · two move it and zoom"));
+    let next = "Drag a bone to turn it · One finger turns the scene · two move it and zoom";
+    assert!(story.has_text(next));
 }
 
 #[test]
