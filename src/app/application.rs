@@ -135,13 +135,16 @@ impl Running {
         let attributes = Window::default_attributes()
             .with_inner_size(LogicalSize::new(width, height))
             .with_min_inner_size(LogicalSize::new(least_width, least_height))
-            .with_maximized(last.is_maximized)
             .with_visible(false);
         let window = WindowContext::new(event_loop, attributes)?;
         let graphics = Graphics::new(window.gl())?;
         let mut host = WindowHost::new(window, event_loop, proxy, storage);
         let program = Program::start(options, graphics.info(), &mut host);
         host.window().window().set_visible(true);
+        if last.is_maximized {
+            // X window managers take no notice of windows that are not shown yet.
+            host.window().window().set_maximized(true);
+        }
         Ok(Self {
             program,
             graphics,
