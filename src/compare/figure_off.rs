@@ -177,12 +177,17 @@ impl Pair<'_> {
             // However large the picture is about the figure.
             of_figures = islands.iter().flatten().map(Vec::len).sum();
         }
-        let solid = (0..count).filter(|&at| right[at] && grid.is_solid(at, |at| right[at]));
+        let mut solid = Vec::new();
+        pace.bands(count, |band| {
+            let is_solid = |at: &usize| right[*at] && grid.is_solid(*at, |at| right[at]);
+            solid.extend(band.filter(is_solid));
+        })
+        .await;
         FigureOff::new(
             grid,
             [&islands[0], &islands[1]],
             of_figures,
-            solid,
+            solid.into_iter(),
             has_outline,
         )
     }

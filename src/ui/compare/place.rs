@@ -42,6 +42,8 @@ pub(super) fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> 
     places.collect()
 }
 
+/// Pixels, of those that stand for what is off, up to which places apart from one another are sought.
+const MOST_PIXELS: usize = 8000;
 /// Most places apart from one another that are told one by one, …
 const MOST_APART: usize = 4;
 /// … and how far they are apart, by the picture's height.
@@ -55,6 +57,10 @@ pub(super) fn apart(
     figure: Area,
     size: (u32, u32),
 ) -> Vec<Place> {
+    // Where so much is off, no parts are, and to look for some would take longer than a frame.
+    if off.ours.len() + off.theirs.len() > MOST_PIXELS {
+        return Vec::new();
+    }
     let off = of_shapes(session, off, size);
     let of_parts = of_parts(session, &off, size);
     if !of_parts.is_empty() {
