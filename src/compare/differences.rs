@@ -1,5 +1,5 @@
 use super::Area;
-use super::pair::{Pair, Pixel, is_drawn};
+use super::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
 use crate::geometry::Picture;
 use crate::steps::{Pace, at_once};
 use serde::Serialize;
@@ -54,6 +54,21 @@ pub struct Differences {
 pub(super) fn difference(a: Pixel, b: Pixel) -> u8 {
     let [r, g, b, alpha]: Pixel = std::array::from_fn(|channel| a[channel].abs_diff(b[channel]));
     r.max(g).max(b).max(alpha)
+}
+
+impl Area {
+    /// Share of its pixels in which two pictures of one size, which it is inside of, have about the same color, 0 to 1.
+    pub fn share_alike(&self, a: &Picture, b: &Picture) -> f64 {
+        let width = a.width as usize;
+        let [a, b] = [a, b].map(|picture| picture.rgba.as_chunks::<4>().0);
+        let rows = self.y as usize..(self.y + self.height) as usize;
+        let columns = self.x as usize..(self.x + self.width) as usize;
+        let places = rows.flat_map(|y| columns.clone().map(move |x| y * width + x));
+        let count = places.clone().count().max(1);
+        let both = places.filter_map(|at| Some((*a.get(at)?, *b.get(at)?)));
+        let alike = both.filter(|(a, b)| difference(*a, *b) <= DRAWN_THRESHOLD);
+        alike.count() as f64 / count as f64
+    }
 }
 
 impl Pair<'_> {

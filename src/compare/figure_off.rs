@@ -37,7 +37,7 @@ impl FigureOff {
         grid: PixelGrid,
         [theirs, ours]: [&[Vec<usize>]; 2],
         of_figures: usize,
-        right: impl Iterator<Item = usize>,
+        right: Vec<usize>,
         has_outline: bool,
     ) -> Option<Self> {
         let mut sizes: Vec<usize> = ours.iter().chain(theirs).map(Vec::len).collect();
@@ -52,7 +52,6 @@ impl FigureOff {
             told.flatten().copied().collect()
         };
         let [ours, theirs] = [told(ours), told(theirs)];
-        let right: Vec<usize> = right.collect();
         let count = ours.len() + theirs.len() + right.len();
         let apart = if count <= SMALL { 1 } else { APART };
         let spread = |places: Vec<usize>| grid.spread(places, apart);
@@ -187,7 +186,7 @@ impl Pair<'_> {
             grid,
             [&islands[0], &islands[1]],
             of_figures,
-            solid.into_iter(),
+            solid,
             has_outline,
         )
     }

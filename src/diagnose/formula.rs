@@ -283,12 +283,11 @@ impl Formula {
     /// Whether a pose can show all that it changes at roots: not that they are not moved where none is, and not that they are
     /// neither moved nor turned where none is turned, which is the same as that they are not moved.
     pub(super) fn is_of_pose(&self, pose: &Pose, roots: &[usize]) -> bool {
-        let mut of_roots = roots.iter();
-        let moves = of_roots.any(|&root| pose.root_offset(root) != Vec3::ZERO);
-        let mut of_roots = roots.iter();
-        let turns = of_roots.any(|&root| pose.rotation(root).radians != Vec3::ZERO);
+        let moves = |&root: &usize| pose.root_offset(root) != Vec3::ZERO;
+        let turns = |&root: &usize| pose.rotation(root).radians != Vec3::ZERO;
         let turns_roots = self.joint.angles_of != AnglesOf::ItselfButRoots;
-        self.joint.roots_are_moved || moves && (turns_roots || turns)
+        self.joint.roots_are_moved
+            || roots.iter().any(moves) && (turns_roots || roots.iter().any(turns))
     }
 }
 

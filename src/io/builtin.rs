@@ -195,7 +195,8 @@ pub fn is_builtin(path: &Path) -> bool {
     builtin_name(path).is_some()
 }
 
-fn builtin_name(path: &Path) -> Option<&str> {
+/// Name of a built-in file, without what says that it is one.
+pub fn builtin_name(path: &Path) -> Option<&str> {
     path.to_str()?.strip_prefix(PREFIX)
 }
 

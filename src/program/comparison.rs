@@ -1,9 +1,7 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use crate::compare::{
-    Area, CompareError, DRAWN_THRESHOLD, Measured, Pair, PictureJob, side_by_side,
-};
+use crate::compare::{Area, CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::Picture;
 use crate::render::Backdrop;
 use crate::revision::Revision;
@@ -235,29 +233,7 @@ impl Comparison {
         let mut settings = self.settings.clone();
         let mut panels = [&ui::course_panels(size)[..], &ui::mannequin_panels(size)].concat();
         panels.retain(|panel| settings.masks.contains(panel));
-        let has_same = |mask: &Area| {
-            let pixels = |picture: &'_ Picture| -> Vec<[u8; 4]> {
-                let (all, _) = picture.rgba.as_chunks::<4>();
-                let rows = all.chunks(size.0 as usize);
-                let rows = rows.skip(mask.y as usize).take(mask.height as usize);
-                let (first, count) = (mask.x as usize, mask.width as usize);
-                rows.flat_map(|row| &row[first..first + count])
-                    .copied()
-                    .collect()
-            };
-            let (ours, theirs) = (pixels(reference), pixels(next));
-            let is_same = |(a, b): (&[u8; 4], &[u8; 4])| {
-                a.iter()
-                    .zip(b)
-                    .all(|(a, b)| a.abs_diff(*b) <= DRAWN_THRESHOLD)
-            };
-            let same = ours
-                .iter()
-                .zip(&theirs)
-                .filter(|both| is_same(*both))
-                .count();
-            same as f64 > SAME_PANEL * ours.len() as f64
-        };
+        let has_same = |panel: &Area| panel.share_alike(reference, next) > SAME_PANEL;
         if size != of_next || !panels.iter().any(has_same) {
             settings.masks.retain(|mask| !panels.contains(mask));
         }

@@ -183,9 +183,7 @@ impl Program {
         let is_new = |path: &PathBuf| !named.contains(&files.real(path));
         let others: Vec<PathBuf> = others.into_iter().filter(is_new).collect();
         self.session.messages.dismiss_numbers(&(0..since));
-        let of_program = path.to_string_lossy();
-        let of_program = of_program.strip_prefix(io::builtin::PREFIX);
-        let scene = of_program.and_then(scene_label);
+        let scene = io::builtin::builtin_name(&path).and_then(scene_label);
         let shows_shapes = !self.session.scene().shapes().is_empty();
         let replaced = shows_shapes.then(|| self.document_name());
         if self.document.path() != Some(&path) {

@@ -68,7 +68,6 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     let figure = (0..page.pixels.len()).filter(is_figure);
     let of_meshes = page.meshes() + ours.meshes();
     let islands = [page.islands_off(&ours), ours.islands_off(&page)];
-    let right = ours.right(&page);
     Some(PageFigure {
         area: page.grid.area_around(figure)?,
         is_slanted: page.is_slanted(),
@@ -76,7 +75,7 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
             page.grid,
             islands.each_ref().map(Vec::as_slice),
             of_meshes,
-            right.into_iter(),
+            ours.right(&page),
             true,
         ),
     })

@@ -11,13 +11,26 @@ const SAMPLES: u8 = 16;
 /// A character in view.
 pub(super) struct CharacterSeen<'a> {
     pub joints: &'a [Joint],
-    /// Joints that turn bones, and where points along the bone are, in pixels, from the joint on. Those behind the camera
-    /// are left out.
-    pub bones: Vec<(usize, Vec<Vec2>)>,
-    /// How long these bones are, in the world.
-    pub lengths: Vec<f32>,
+    pub bones: Vec<BoneSeen>,
     /// Name of the character, if there are several.
     name: Option<&'a str>,
+}
+
+/// A bone of it.
+pub(super) struct BoneSeen {
+    /// Joint that turns it.
+    pub joint: usize,
+    /// Where points along it are, in pixels, from the joint on. Those behind the camera are left out.
+    pub pixels: Vec<Vec2>,
+    /// How long it is, in the world.
+    pub length: f32,
+}
+
+impl BoneSeen {
+    /// Its ends in the picture; `None` if it is behind the camera.
+    pub fn line(&self) -> Option<[Vec2; 2]> {
+        Some([*self.pixels.first()?, *self.pixels.last()?])
+    }
 }
 
 impl CharacterSeen<'_> {
@@ -43,13 +56,15 @@ pub(super) fn characters_seen(session: &Session, size: Vec2) -> Vec<CharacterSee
         let bones = bones.map(|(joint, start, end)| {
             let along = (0..=SAMPLES).map(|i| f32::from(i) / f32::from(SAMPLES));
             let pixels = along.filter_map(|t| camera.pixel(start.lerp(end, t), size));
-            ((joint, pixels.collect()), start.distance(end))
+            BoneSeen {
+                joint,
+                pixels: pixels.collect(),
+                length: start.distance(end),
+            }
         });
-        let (bones, lengths) = bones.unzip();
         Some(CharacterSeen {
             joints: character.character.skeleton().joints(),
-            bones,
-            lengths,
+            bones: bones.collect(),
             name: are_several.then_some(&*shape.name),
         })
     });

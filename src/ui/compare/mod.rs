@@ -4,8 +4,11 @@
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
 mod across;
+mod apart;
 mod bones_seen;
+mod findings;
 mod hints;
+mod limbs;
 mod masks;
 mod mesh_distances;
 mod mesh_marker;

@@ -1,6 +1,7 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
-use super::place::{Place, of_parts, place};
+use super::apart::{Place, of_parts};
+use super::place::place;
 use super::{CompareView, PageFigure};
 use crate::compare::sentence;
 use crate::editor::Session;

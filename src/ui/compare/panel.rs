@@ -1,9 +1,7 @@
-use super::hints::{self, hints};
+use super::findings::findings;
 use super::outlined::Outlined;
-use super::page_figure::{self, FigureTold};
-use super::place::{Place, apart, place};
 use super::{CompareReport, CompareView, masks};
-use crate::compare::{Area, Differences, Finding, Judgment};
+use crate::compare::{Differences, Judgment};
 use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
 use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
@@ -256,127 +254,6 @@ pub(super) fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &
     ui.end_row();
 }
 
-/// What is wrong, in words.
-fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mut Outlined) {
-    let palette = Palette::of(ui.visuals());
-    let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
-    let counts = compare.report.differences.as_ref();
-    let all = counts.and_then(|counts| counts.differing_area);
-    // What differs of the figure says more than all that does, where other lines and floors are drawn about it.
-    let of_page = compare.report.page_figure.as_ref();
-    let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure));
-    let judgment = compare.report.judgment.as_ref();
-    let apart = judgment.filter(|_| of_page.is_none()).and_then(|judged| {
-        let (off, figure) = (judged.off.as_ref()?, judged.figure?);
-        Some(apart(session, off, figure, compare.size()))
-    });
-    let apart = apart.unwrap_or_default();
-    let places = of_page.as_ref().map(|figure| &figure.places);
-    let is_still_told = |area: &Area| {
-        let mut places = places.into_iter().flatten().chain(&apart);
-        all == Some(*area)
-            || places.any(|place| place.area == *area)
-            || areas.clone().any(|f| f.area() == Some(*area))
-    };
-    *outlined = Outlined {
-        hovered: None,
-        clicked: outlined.clicked.filter(is_still_told),
-    };
-    ui.vertical(|ui| {
-        let report = compare.report;
-        if let Some(problem) = &report.problem {
-            return say(ui, &problem.to_string(), palette.error);
-        }
-        let Some(counts) = &report.differences else {
-            return say(ui, "Measuring…", palette.weak);
-        };
-        if counts.max == 0 {
-            return say(ui, "A and B are equal, pixel by pixel.", palette.strong);
-        }
-        let shapes = session.scene().shapes();
-        if !shapes.iter().any(|shape| shape.visible) {
-            let text = match shapes.is_empty() {
-                true => "B is empty: Insert ⏵ Import adds what is to be compared.",
-                false => "B is empty: all shapes are hidden.",
-            };
-            return say(ui, text, palette.strong);
-        }
-        if counts.differing_pixels == 0 {
-            say(
-                ui,
-                "No pixel differs by more than the threshold.",
-                palette.strong,
-            );
-        }
-        let look = session.view().look;
-        let of_page = of_page.as_ref().filter(|_| look == Look::Mannequin);
-        let [first, last] = [true, false].map(|is_first| {
-            let figure = of_page.filter(|figure| figure.is_elsewhere == is_first);
-            figure.map(FigureTold::hint)
-        });
-        let is_slanted = report
-            .page_figure
-            .as_ref()
-            .is_some_and(|page| page.is_slanted);
-        if is_slanted && look == Look::Mannequin && !report.measuring {
-            return say(ui, page_figure::SLANTED, palette.strong);
-        }
-        if let Some(hint) = first.filter(|_| !report.measuring) {
-            say(ui, hint, palette.strong);
-        }
-        match &report.judgment {
-            Some(judgment) if !report.measuring => {
-                let are_told_apart =
-                    |finding: &Finding| finding.is_without_cause() && !apart.is_empty();
-                for finding in &judgment.findings {
-                    say(ui, &finding.sentence(), palette.strong);
-                    let area = finding.area().filter(|_| !are_told_apart(finding));
-                    if let Some((area, figure)) = area.zip(judgment.figure) {
-                        let place = place(session, area, figure, compare.size());
-                        link(ui, &place, area, outlined);
-                    }
-                }
-                if judgment.findings.iter().any(are_told_apart) {
-                    links(ui, &apart, outlined);
-                }
-                match places {
-                    _ if !judgment.findings.is_empty() => {}
-                    Some(places) if places.is_empty() => {
-                        say(ui, page_figure::AGREES, palette.strong);
-                    }
-                    Some(places) => {
-                        say(ui, page_figure::DIFFERS, palette.text);
-                        links(ui, places, outlined);
-                    }
-                    None => {
-                        let text = "No single cause explains the differences.";
-                        say(ui, text, palette.text);
-                        links(ui, &apart, outlined);
-                        let all = all.filter(|_| apart.is_empty());
-                        if let Some((area, figure)) = all.zip(judgment.figure) {
-                            let place = place(session, area, figure, compare.size());
-                            link(ui, &place, area, outlined);
-                        }
-                    }
-                }
-                if let Some(hint) = hints::camera(session, &judgment.findings) {
-                    say(ui, hint, palette.text);
-                }
-            }
-            _ => {
-                let mut text = "Looking for the cause…".to_owned();
-                if let Some(part) = compare.judged_part {
-                    text += &format!(" {:.0} %", 100.0 * part);
-                }
-                say(ui, &text, palette.weak);
-            }
-        }
-        for hint in hints(compare, look, counts).chain(last) {
-            say(ui, hint, palette.text);
-        }
-    });
-}
-
 /// A paragraph that can be copied.
 pub(super) fn say(ui: &mut Ui, text: &str, color: Color32) {
     label(ui, text, color);
@@ -386,27 +263,6 @@ pub(super) fn say(ui: &mut Ui, text: &str, color: Color32) {
 pub(super) fn label(ui: &mut Ui, text: &str, color: Color32) -> Response {
     let text = RichText::new(text).color(color);
     ui.add(Label::new(text).wrap().selectable(true))
-}
-
-/// Places, each of which outlines its area.
-fn links(ui: &mut Ui, places: &[Place], outlined: &mut Outlined) {
-    for place in places {
-        link(ui, &place.told, place.area, outlined);
-    }
-}
-
-/// The place of a finding, which outlines its `area` in the pictures: while the pointer is over it,
-/// and after a click until the next.
-fn link(ui: &mut Ui, place: &str, area: Area, outlined: &mut Outlined) {
-    let is_clicked = outlined.clicked == Some(area);
-    let link = ui.add(Button::selectable(is_clicked, place).wrap());
-    let link = link.on_hover_text("Outline it in the pictures; a click keeps the outline");
-    if link.hovered() {
-        outlined.hovered = Some(area);
-    }
-    if link.clicked() {
-        outlined.clicked = (!is_clicked).then_some(area);
-    }
 }
 
 #[cfg(test)]

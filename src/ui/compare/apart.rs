@@ -1,0 +1,95 @@
+//! Places apart from one another in which pictures differ.
+
+use super::parts::{of_shapes, parts};
+use super::place::{near, place};
+use crate::compare::{Area, FigureOff, about, sentence};
+use crate::editor::Session;
+use std::collections::BTreeMap;
+
+/// A place in which pictures differ.
+pub(super) struct Place {
+    pub told: String,
+    pub area: Area,
+}
+
+/// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
+pub(super) fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
+    let parts = parts(session, off, size).into_iter();
+    let places = parts.map(|part| Place {
+        told: near(&part.name, &about(part.percent)),
+        area: part.area,
+    });
+    places.collect()
+}
+
+/// Pixels, of those that stand for what is off, up to which places apart from one another are sought.
+const MOST_PIXELS: usize = 8000;
+/// Most places apart from one another that are told one by one, …
+const MOST_APART: usize = 4;
+/// … and how far they are apart, by the picture's height.
+const APART: f32 = 0.025;
+
+/// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or else
+/// where a bone is near, or where they lie in the figure. None if there are too many.
+pub(super) fn apart(
+    session: &Session,
+    off: &FigureOff,
+    figure: Area,
+    size: (u32, u32),
+) -> Vec<Place> {
+    // Where so much is off, no parts are, and to look for some would take longer than a frame.
+    if off.ours.len() + off.theirs.len() > MOST_PIXELS {
+        return Vec::new();
+    }
+    let off = of_shapes(session, off, size);
+    let of_parts = of_parts(session, &off, size);
+    if !of_parts.is_empty() {
+        return of_parts;
+    }
+    let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
+    if apart.len() > MOST_APART {
+        return Vec::new();
+    }
+    let places = apart.into_iter().map(|(area, is_ours)| {
+        // Bones are where the live view has them.
+        let told = match is_ours {
+            true => place(session, area, figure, size),
+            false => sentence(&area.place_in(figure)),
+        };
+        Place { told, area }
+    });
+    places.collect()
+}
+
+/// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down, and whether some of
+/// these are of the live view. Where it is not known what is behind shapes, only such.
+fn areas_apart(off: &FigureOff, cell: u32) -> Vec<(Area, bool)> {
+    let mut cells: BTreeMap<[u32; 2], Vec<(u32, u32, bool)>> = BTreeMap::new();
+    for (pixels, is_ours) in [(&off.ours, true), (&off.theirs, false)] {
+        for &[x, y] in pixels {
+            let of_cell = cells.entry([y / cell, x / cell]).or_default();
+            of_cell.push((x, y, is_ours));
+        }
+    }
+    let mut areas = Vec::new();
+    while let Some((first, pixels)) = cells.pop_first() {
+        let (mut of_place, mut next) = (pixels, vec![first]);
+        while let Some([row, column]) = next.pop() {
+            let rows = row.saturating_sub(1)..=row + 1;
+            let columns = column.saturating_sub(1)..=column + 1;
+            for beside in rows.flat_map(|row| columns.clone().map(move |column| [row, column])) {
+                if let Some(pixels) = cells.remove(&beside) {
+                    of_place.extend(pixels);
+                    next.push(beside);
+                }
+            }
+        }
+        let is_ours = of_place.iter().any(|(.., is_ours)| *is_ours);
+        let area = Area::around(of_place.into_iter().map(|(x, y, _)| (x, y)));
+        areas.extend(
+            area.filter(|_| is_ours || off.has_outline)
+                .map(|area| (area, is_ours)),
+        );
+    }
+    areas
+}
