@@ -1,4 +1,5 @@
 use super::Host;
+use super::click_duration::allow_for_slow_frames;
 use super::comparison::{Comparison, DRAWING, Drawn};
 use super::graphics::Graphics;
 use super::input_parts::input_parts;
@@ -84,6 +85,7 @@ impl Program {
         host: &mut dyn Host,
     ) -> Result<Duration, ProgramError> {
         let FrameInput { context, raw, size } = input;
+        allow_for_slow_frames(&context, raw.time);
         let came_in = self.begin_frame(host);
         let without_events = RawInput {
             events: Vec::new(),

@@ -3,13 +3,14 @@
 //! trait [`Host`].
 //!
 //! A host calls [`Program::frame`] once a frame. Where something else runs egui for it, it calls
-//! [`Program::begin_frame`], [`Program::show`] within the pass of egui for each of the
+//! [`allow_for_slow_frames`], [`Program::begin_frame`], [`Program::show`] within the pass of egui for each of the
 //! [`input_parts`], [`Program::draw`] and [`Program::finish_frame`].
 
 mod actions;
 mod autosave;
 mod awaited;
 mod chosen;
+mod click_duration;
 mod clipboard;
 mod compare_mesh;
 mod compared_camera;
@@ -56,6 +57,7 @@ mod view_before;
 mod window_picture;
 
 pub use autosave::Unsaved;
+pub use click_duration::allow_for_slow_frames;
 pub use finger_presses::FingerPresses;
 pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};

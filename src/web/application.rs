@@ -5,7 +5,7 @@ use super::error_watch::ErrorWatch;
 use super::page::Page;
 use super::{browser, fonts, rescue, resolution};
 use crate::gpu::{CanvasContext, Rect};
-use crate::program::{FingerPresses, Graphics, Pass, input_parts};
+use crate::program::{FingerPresses, Graphics, Pass, allow_for_slow_frames, input_parts};
 use crate::render::view_place;
 use crate::revision::Revision;
 use eframe::{CreationContext, Frame};
@@ -137,6 +137,7 @@ impl eframe::App for Application {
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut RawInput) {
+        allow_for_slow_frames(context, input.time);
         self.presses.count_once(&mut input.events);
         let mut events = std::mem::take(&mut self.later);
         events.append(&mut input.events);
