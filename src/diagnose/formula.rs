@@ -199,6 +199,10 @@ pub enum Chain {
     OwnRotationInPlace,
     /// parent · own, where own's offset is not turned by the parent.
     OffsetsNotTurned,
+    /// parent · own, where the parent is at rest.
+    ParentAtRest,
+    /// own · parent of what turns joints about their places at rest, each of them in model space.
+    TurnsOwnParent,
 }
 
 /// Which joint an index means.
@@ -281,11 +285,15 @@ impl Formula {
     }
 
     /// Whether a pose can show all that it changes at roots: not that they are not moved where none is, and not that they are
-    /// neither moved nor turned where none is turned, which is the same as that they are not moved.
+    /// neither moved nor turned where none is turned, which is the same as that they are not moved. That joints follow parents
+    /// at rest is the same as that they follow their offsets, where no root is moved.
     pub(super) fn is_of_pose(&self, pose: &Pose, roots: &[usize]) -> bool {
         let moves = |&root: &usize| pose.root_offset(root) != Vec3::ZERO;
         let turns = |&root: &usize| pose.rotation(root).radians != Vec3::ZERO;
         let turns_roots = self.joint.angles_of != AnglesOf::ItselfButRoots;
+        if self.chain == Chain::ParentAtRest && !roots.iter().any(moves) {
+            return false;
+        }
         self.joint.roots_are_moved
             || roots.iter().any(moves) && (turns_roots || roots.iter().any(turns))
     }

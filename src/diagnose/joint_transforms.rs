@@ -97,7 +97,7 @@ impl<'a> Joints<'a> {
                 DAffine3::from_translation(translation),
             )
         };
-        let bind = bind_tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
+        let bind = bind_tree.chained(formula.bind_chain, DAffine3::IDENTITY, None, at_rest);
         let left = match formula.left_on_stack {
             LeftOnStack::Nothing => None,
             LeftOnStack::Root => bind_tree.order.first().map(|&root| bind[root]),
@@ -105,40 +105,45 @@ impl<'a> Joints<'a> {
                 let visited = model.joints_by(JointsBy::Depth);
                 let last = visited.last().copied();
                 let tree = Tree::new(model, formula).on_stack(visited, Popped::None);
-                let bind = tree.chained(formula.bind_chain, DAffine3::IDENTITY, at_rest);
+                let bind = tree.chained(formula.bind_chain, DAffine3::IDENTITY, None, at_rest);
                 last.map(|last| std::iter::repeat_n(&bind[last], times).product())
             }
         };
-        let current = tree.chained(formula.chain, left.unwrap_or_default(), |joint| {
-            let mut translation = DVec3::ZERO;
-            let mut angles = DVec3::ZERO;
-            let mut moved = DVec3::ZERO;
-            let mut rotation = DMat3::IDENTITY;
-            if own.has_pose {
-                angles = angles_of(pose, joint);
-                if own.roots_are_moved {
-                    moved = pose.root_offset(joint).as_dvec3();
-                }
-                let all = before.iter().copied().chain([pose]);
-                rotation = all
-                    .map(|pose| own.rotation(angles_of(pose, joint)))
-                    .product();
-                if let Some(axes) = axes(joint).map(DMat3::from_mat4) {
-                    rotation = axes * rotation * axes.inverse();
-                    if own.about == About::File {
-                        moved = axes * moved;
+        let current = tree.chained(
+            formula.chain,
+            left.unwrap_or_default(),
+            Some(&bind),
+            |joint| {
+                let mut translation = DVec3::ZERO;
+                let mut angles = DVec3::ZERO;
+                let mut moved = DVec3::ZERO;
+                let mut rotation = DMat3::IDENTITY;
+                if own.has_pose {
+                    angles = angles_of(pose, joint);
+                    if own.roots_are_moved {
+                        moved = pose.root_offset(joint).as_dvec3();
+                    }
+                    let all = before.iter().copied().chain([pose]);
+                    rotation = all
+                        .map(|pose| own.rotation(angles_of(pose, joint)))
+                        .product();
+                    if let Some(axes) = axes(joint).map(DMat3::from_mat4) {
+                        rotation = axes * rotation * axes.inverse();
+                        if own.about == About::File {
+                            moved = axes * moved;
+                        }
                     }
                 }
-            }
-            let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
-            let times = own.offsets.times(is_root(joint), is_posed);
-            if times > 0.0 {
-                translation = offset(joint) * times + moved;
-            }
-            let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
-            let transform = parent_from_joint(translation, rotation, rotates_first);
-            pushed(twice_in_current, joint, transform)
-        });
+                let is_posed = angles != DVec3::ZERO || moved != DVec3::ZERO;
+                let times = own.offsets.times(is_root(joint), is_posed);
+                if times > 0.0 {
+                    translation = offset(joint) * times + moved;
+                }
+                let rotates_first = own.rotates_first || own.roots_rotate_first && is_root(joint);
+                let transform = parent_from_joint(translation, rotation, rotates_first);
+                pushed(twice_in_current, joint, transform)
+            },
+        );
         let kept = |tree: &Tree, of_parents: bool, all: Vec<DAffine3>| {
             if of_parents {
                 tree.of_parents(&all)
@@ -330,11 +335,13 @@ impl Tree {
         of_parents.map(Option::unwrap_or_default).collect()
     }
 
-    /// The transform of each joint from `own`, relative to its parent. Roots follow `left`.
+    /// The transform of each joint from `own`, relative to its parent. Roots follow `left`. At rest joints have `bind`, and
+    /// what this gives if there is none.
     fn chained(
         &self,
         chain: Chain,
         left: DAffine3,
+        bind: Option<&[DAffine3]>,
         own: impl Fn(usize) -> DAffine3,
     ) -> Vec<DAffine3> {
         let mut model_from_joint = vec![DAffine3::IDENTITY; self.parents.len()];
@@ -371,6 +378,16 @@ impl Tree {
                 Chain::OffsetsNotTurned => DAffine3 {
                     translation: model_from_parent.translation + of_joint.translation,
                     ..model_from_parent * of_joint
+                },
+                Chain::ParentAtRest => {
+                    bind.map_or(model_from_parent, |bind| bind[parent]) * of_joint
+                }
+                Chain::TurnsOwnParent => match bind {
+                    None => model_from_parent * of_joint,
+                    Some(bind) => {
+                        let turn = bind[parent] * of_joint * bind[joint].inverse();
+                        turn * model_from_parent * bind[parent].inverse() * bind[joint]
+                    }
                 },
             };
         }

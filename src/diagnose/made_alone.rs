@@ -5,6 +5,7 @@ use super::formula::{Columns, Formula, VertexOrder};
 use super::found_otherwise::{JOINT_LEFT_OUT, WEIGHTS_EXCHANGED};
 use super::joint_list::JointList;
 use super::mistake::Mistake;
+use super::of_whole_program::PARENTS_MISREAD;
 use super::search::{Explanation, Search};
 use super::skin::{Placed, Skinner};
 use super::ways::{Made, formula};
@@ -28,8 +29,12 @@ pub(super) async fn find(
 ) -> Vec<Explanation> {
     let alone = MadeAlone::new(search, order);
     let fits = MadeAlone::new(fits, order);
-    let of_whole = whole_program::find(&alone, &fits, exact, pace).await;
+    let mut of_whole = whole_program::find(&alone, &fits, exact, pace).await;
     if !of_whole.is_empty() {
+        // A pose that turns few joints shows few parents, and that one is wrong is no rarer than that all are.
+        if of_whole.iter().any(|it| it.ids() == [PARENTS_MISREAD.id]) {
+            of_whole.extend(one_joint::wrong_parents(&fits, size, pace).await);
+        }
         return of_whole;
     }
     let mut of_weights = alone.exchanged_weights(pace).await;

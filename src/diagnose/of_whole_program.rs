@@ -29,7 +29,7 @@ static ROOT_ROTATED_FIRST: Mistake = Mistake {
 };
 
 /// A mistake in all parents that the skeleton's file has.
-static PARENTS_MISREAD: Mistake = Mistake {
+pub(super) static PARENTS_MISREAD: Mistake = Mistake {
     id: "parents-misread",
     meaning: "joints hang on other parents than the file says",
     section: SKELETON,
@@ -311,7 +311,20 @@ static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
                 formula.chain = Chain::OwnRotationInPlace;
             },
         ),
+        reading(
+            "nor what the pose moves the root by, as if those above it were at rest",
+            |formula| formula.chain = Chain::ParentAtRest,
+        ),
     ],
+};
+
+/// One in what is moved by turns about places, without a transform for each joint.
+static TURNS_ORDER: Mistake = Mistake {
+    id: "turns-order",
+    meaning: "what turns a joint about its place at rest is multiplied as own · parent instead of parent · own, so that the               turns of those above it come first",
+    section: SKELETON,
+    look_at: "where turns about places at rest are multiplied, or come to a vertex one after the other: a joint's own comes               first to a vertex, and the root's last",
+    readings: &[reading("", |formula| formula.chain = Chain::TurnsOwnParent)],
 };
 
 /// One in how rotations are combined, such as quaternions, where places are not.
@@ -347,7 +360,7 @@ static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 39] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 40] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -381,6 +394,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 39] = [
     &PARENTS_ROTATIONS_MISSING,
     &PARENT_ROTATION_ORDER,
     &OFFSET_NOT_TURNED,
+    &TURNS_ORDER,
     &WRONG_INVERSE,
     &INVERSE_BIND_SHARED,
     &ROTATION_REPEATED,

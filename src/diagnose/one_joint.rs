@@ -23,6 +23,16 @@ pub(super) async fn find(alone: &MadeAlone<'_>, size: f64, pace: &Pace) -> Vec<E
     parents.into_iter().chain(offsets).collect()
 }
 
+/// The wrong parents of one joint that give the mesh, of this size.
+pub(super) async fn wrong_parents(
+    alone: &MadeAlone<'_>,
+    size: f64,
+    pace: &Pace,
+) -> Option<Explanation> {
+    let lines = Lines(alone);
+    lines.wrong_parents(&lines.joints(), size, pace).await
+}
+
 /// The lines of a skeleton, which are tried.
 pub(super) struct Lines<'a>(pub(super) &'a MadeAlone<'a>);
 

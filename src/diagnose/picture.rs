@@ -272,7 +272,7 @@ impl fmt::Display for PictureDiagnosis {
             Verdict::OtherPose | Verdict::Unexplained => write!(
                 f,
                 "{}: {error} of the silhouette is off, and none of the mistakes that are sought in pictures gives this \
-                 one, nor do two of them{}",
+                 one, nor do two of those that are tried together{}",
                 if self.is_nearly_right() {
                     "nearly right"
                 } else {

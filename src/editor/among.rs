@@ -183,7 +183,8 @@ pub fn put_on_ground(session: &Session, shapes: &mut [NewShape]) {
         return;
     }
     let others = standing(session);
-    let heights = others.iter().map(|one| one.bounds.min.y);
+    // The ground is no higher than 0, also where all that is seen hovers.
+    let heights = others.iter().map(|one| one.bounds.min.y.min(0.0));
     let lowest = heights.fold(f32::INFINITY, f32::min);
     let bounds = bounds_of(shapes);
     let own = lowest_of(shapes);

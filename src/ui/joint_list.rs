@@ -199,8 +199,7 @@ fn show_rows(
             if shown.hovered {
                 all.hovered = Some(row.joint);
             }
-            let event = shown.offset.map(RowEvent::Offset);
-            all.events.extend(event.map(|event| (*row, event)));
+            all.events.extend(shown.event.map(|event| (*row, event)));
         }
     }
     all

@@ -235,8 +235,8 @@ fn reset_button(ui: &Ui, id: Id, rect: Rect, name: &str) -> bool {
 /// A root's offset as it was shown.
 pub(super) struct ShownOffset {
     pub hovered: bool,
-    /// The new offset from the place at rest, in the character's space, if it was changed.
-    pub offset: Option<Vec3>,
+    /// What was done with it: the root was selected, or moved.
+    pub event: Option<RowEvent>,
 }
 
 /// Shows the offset of a root in `rect`, below the row `row` of the root itself.
@@ -253,15 +253,22 @@ pub(super) fn show_offset(
     if hovered {
         ui.painter().rect_filled(rect, 3.0, palette.field);
     }
-    let at = columns.name(rect, columns.offset_left(row)).left_center();
+    let name = columns.name(rect, columns.offset_left(row));
     let font = font(ui);
-    ui.painter()
-        .text(at, Align2::LEFT_CENTER, OFFSET, font, palette.weak);
+    ui.painter().text(
+        name.left_center(),
+        Align2::LEFT_CENTER,
+        OFFSET,
+        font,
+        palette.weak,
+    );
 
     let called = format!("{} {OFFSET}", skeleton.joints()[row.joint].name);
     let id = ui.id().with(("root", row.joint));
+    let name = ui.interact(name, id.with("name"), Sense::CLICK);
+    name.widget_info(|| WidgetInfo::labeled(WidgetType::SelectableLabel, ui.is_enabled(), &called));
+    let mut event = name.clicked().then_some(RowEvent::Select);
     let now = pose.root_offset(row.joint);
-    let mut offset = None;
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         let called = format!("{called} {letter}");
         let field = NumberField::new(&called, now[axis], STEP)
@@ -271,12 +278,12 @@ pub(super) fn show_offset(
         if let Some(value) = field.show_at(ui, id.with(axis), columns.field(rect, axis)) {
             let mut moved = now;
             moved[axis] = value;
-            offset = Some(moved);
+            event = Some(RowEvent::Offset(moved));
         }
     }
     let moved = now != Vec3::ZERO;
     if moved && reset_button(ui, id.with("reset"), columns.reset(rect), &called) {
-        offset = Some(Vec3::ZERO);
+        event = Some(RowEvent::Offset(Vec3::ZERO));
     }
-    ShownOffset { hovered, offset }
+    ShownOffset { hovered, event }
 }

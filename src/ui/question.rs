@@ -31,15 +31,20 @@ pub(super) fn show(root: &Ui, question: &Question, actions: &mut Vec<Action>) {
 
 /// One button an answer, the first at the right, as in the file dialog; the answer that was given.
 fn buttons(ui: &mut Ui, answers: &[Answer]) -> Option<Answer> {
-    // A button that was reached by Tab is pressed by Enter itself.
     let elsewhere = ui.memory(|memory| memory.focused().is_some());
+    // A button that has the keyboard is pressed by Enter itself.
     let enter = !elsewhere && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
     let mut given = answers.first().copied().filter(|_| enter);
     let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let layout = Layout::right_to_left(Align::Center);
     ui.allocate_ui_with_layout(line, layout, |ui| {
         for (index, &answer) in answers.iter().enumerate() {
-            let is_given_by_enter = index == 0 && !elsewhere;
+            let is_first = index == 0;
+            let id = ui.next_auto_id();
+            let is_given_by_enter = match elsewhere {
+                true => ui.memory(|memory| memory.has_focus(id)),
+                false => is_first,
+            };
             let strong = ui.visuals().selection;
             let button = match is_given_by_enter {
                 true => Button::new(RichText::new(answer.label()).color(strong.stroke.color))
@@ -47,6 +52,10 @@ fn buttons(ui: &mut Ui, answers: &[Answer]) -> Option<Answer> {
                 false => Button::new(answer.label()),
             };
             let button = ui.add(button);
+            // Tab leads on from the one that Enter gives.
+            if is_first && !elsewhere {
+                button.request_focus();
+            }
             // The second click of a double one was not meant for the next question.
             if button.clicked() && !button.double_clicked() {
                 given = Some(answer);

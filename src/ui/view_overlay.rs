@@ -268,15 +268,20 @@ fn status(
     if let Some((over, next)) = posing::status(session, &state.pose, pointing, ctx) {
         return (over, next);
     }
-    if let Some(joint) = hovered_joint(session) {
+    if let Some((joint, is_root)) = hovered_joint(session) {
         // What is pointed at is a row or a button of the panel that explains.
         if state.explain.lit() == session.hovered_joint() {
             return (Some(joint), "".into());
         }
-        let next = pointing.words(
-            "Click to select the joint · drag its numbers to turn it",
-            "Tap to select the joint · drag its numbers to turn it",
-        );
+        let mut next = pointing
+            .words(
+                "Click to select the joint · drag its numbers to turn it",
+                "Tap to select the joint · drag its numbers to turn it",
+            )
+            .to_owned();
+        if is_root {
+            next += ", those of its offset to move it";
+        }
         return (Some(joint), next.into());
     }
     let over = input
@@ -310,11 +315,12 @@ fn status(
     }
 }
 
-/// The joint whose row is under the pointer, by name and number, as the file counts from 0.
-fn hovered_joint(session: &Session) -> Option<String> {
+/// The joint whose row is under the pointer, by name and number, as the file counts from 0, and whether it is a root.
+fn hovered_joint(session: &Session) -> Option<(String, bool)> {
     let joint = session.hovered_joint()?;
     let character = session.scene().character(session.selected()?)?;
     let joints = character.character.skeleton().joints();
-    let name = &joints.get(joint)?.name;
-    Some(format!("{name} ({joint})"))
+    let hovered = joints.get(joint)?;
+    let name = &hovered.name;
+    Some((format!("{name} ({joint})"), hovered.parent.is_none()))
 }

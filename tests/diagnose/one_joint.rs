@@ -13,6 +13,25 @@ fn with_skeleton(name: &str, seed: u32, change: impl Fn(&mut Figure)) -> Vec<Vec
     RIGHT.skin(&wrong)
 }
 
+#[test]
+fn where_one_joint_is_turned_a_wrong_parent_is_named_beside_a_rule_by_which_all_are_wrong() {
+    let (elbow, collarbone) = (17, 15);
+    let pose = |joint: usize| match joint {
+        17 => Vec3::new(0.0, 0.0, 0.9),
+        _ => Vec3::ZERO,
+    };
+    let figure = Figure::builtin("adult", pose);
+    let mut wrong = Figure::builtin("adult", pose);
+    wrong.parents[elbow] = Some(collarbone);
+    let found = figure.diagnose(&RIGHT.skin(&wrong));
+    assert_eq!(found.causes, ["parents-misread", "one-wrong-parent"]);
+    let told = &found.others[0].how;
+    assert!(
+        told.contains("Left elbow (17) on Left collarbone (15)"),
+        "{told}"
+    );
+}
+
 /// Whether `joint` is `above` or hangs on it.
 fn hangs_on(figure: &Figure, joint: usize, above: usize) -> bool {
     let line = std::iter::successors(Some(joint), |&joint| figure.parents[joint]);

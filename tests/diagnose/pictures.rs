@@ -244,7 +244,7 @@ fn a_picture_that_no_mistake_gives_is_unexplained() {
         &folder,
         "diagnose a.png --character builtin:robot --pose pose.json --camera 80,10,3",
     );
-    let told = "of the silhouette is off, and none of the mistakes that are sought in pictures gives this one, nor do two of them; where so much is off, the picture may be seen through another camera, or have more around the view\n  shown by the pixels within ";
+    let told = "of the silhouette is off, and none of the mistakes that are sought in pictures gives this one, nor do two of those that are tried together; where so much is off, the picture may be seen through another camera, or have more around the view\n  shown by the pixels within ";
     assert!(ran.code == Some(1) && ran.out.contains(told), "{}", ran.out);
 }
 

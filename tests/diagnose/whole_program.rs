@@ -645,6 +645,47 @@ fn transforms_of_which_joints_get_only_a_part_from_those_above_are_named() {
 }
 
 #[test]
+fn joints_that_follow_their_parents_at_rest_are_named_where_the_root_is_moved_too() {
+    let mut figure = Figure::builtin("adult", turned(84));
+    figure.moved = Vec3::new(0.5, 0.25, -0.1);
+    let pose = figure.pose();
+    let joints = figure.character.skeleton().joints();
+    let [_, b] = joint_to_world(&figure);
+    // Joints are gone through from the last to the first: each finds its parent as it was before.
+    let found = moved_by(&figure, |joint| {
+        let above = figure.parents[joint].map_or(Mat4::IDENTITY, |parent| b[parent]);
+        let place = joints[joint].offset + pose.root_offset(joint);
+        let rotation = Mat4::from_mat3(pose.rotation(joint).to_mat3());
+        above * Mat4::from_translation(place) * rotation * b[joint].inverse()
+    });
+    let how = "nor what the pose moves the root by, as if those above it were at rest";
+    assert_named(&found, "parents-rotations-missing", how);
+}
+
+#[test]
+fn turns_about_places_at_rest_that_come_to_a_vertex_from_the_root_down_are_named() {
+    let figure = Figure::builtin("adult", turned(84));
+    let pose = figure.pose();
+    let [t, b] = joint_to_world(&figure);
+    let turn = |joint: usize| {
+        b[joint] * Mat4::from_mat3(pose.rotation(joint).to_mat3()) * b[joint].inverse()
+    };
+    let up = |joint: usize| std::iter::successors(Some(joint), |&joint| figure.parents[joint]);
+    // From a joint to the root, as the exact formula has it, too.
+    let right = moved_by(&figure, |joint| {
+        up(joint).fold(Mat4::IDENTITY, |turns, joint| turn(joint) * turns)
+    });
+    assert_eq!(right.verdict, Verdict::Right, "{right}");
+    let exact = moved_by(&figure, |joint| t[joint] * b[joint].inverse());
+    assert_eq!(exact.verdict, Verdict::Right, "{exact}");
+    let found = moved_by(&figure, |joint| {
+        up(joint).fold(Mat4::IDENTITY, |turns, joint| turns * turn(joint))
+    });
+    assert_named(&found, "turns-order", "");
+    assert_eq!(found.mistakes[0].section, "3.2 Skeleton");
+}
+
+#[test]
 fn rotations_that_are_kept_beside_places_are_named_where_they_are_combined_wrongly() {
     let figure = Figure::builtin("adult", turned(86));
     let pose = figure.pose();

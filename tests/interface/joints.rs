@@ -87,6 +87,20 @@ fn below_a_root_stands_how_far_it_has_moved() {
 }
 
 #[test]
+fn the_name_of_a_roots_offset_selects_the_root_and_what_is_said_there_is_about_both() {
+    let mut editor = Editor::with_figure();
+    let mut says = |label: &str| {
+        editor.click(label);
+        let painted = editor.painted();
+        let of_root = "those of its offset to move it";
+        let says = painted.iter().any(|(text, _)| text.contains(of_root));
+        (editor.session().selected_joint(), says)
+    };
+    assert_eq!(says("Neck"), (Some(NECK), false));
+    assert_eq!(says("Root Offset"), (Some(ROOT), true));
+}
+
+#[test]
 fn a_roots_offset_and_its_angles_are_reset_each_by_its_own_button() {
     let mut editor = Editor::with_figure();
     editor.type_into("Root Offset Z", "-3");

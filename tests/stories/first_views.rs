@@ -315,6 +315,22 @@ fn a_character_is_set_beside_a_shape_that_would_hide_it_and_into_an_open_one() {
 }
 
 #[test]
+fn a_character_beside_a_shape_that_hovers_stands_on_the_ground_below_that() {
+    let mut story = start(&["models/far.obj"]);
+    story.key(Key::F3);
+    let id = story.shape().id;
+    let mut transform = story.shape().placement.transform;
+    transform.position.y += 30.0;
+    let edit = Edit::SetTransform(id, transform);
+    story.program.session_mut().edit(edit).expect("a place");
+    story.settle();
+    story.import("models/large.obj");
+    let lowest = |at: usize| story.session().evaluated().shapes[at].world_bounds().min.y;
+    assert!(lowest(0) > 20.0, "it is left where it was put");
+    assert!(lowest(1).abs() < 1e-3, "{}", lowest(1));
+}
+
+#[test]
 fn a_character_that_its_file_has_in_the_air_beside_others_stands_on_their_ground() {
     /// [`LARGE`], 25 higher.
     const UP: [(&str, &str); 3] = [

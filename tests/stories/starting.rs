@@ -303,6 +303,22 @@ fn the_question_about_unsaved_work_takes_the_place_of_the_notice_about_esc() {
 }
 
 #[test]
+fn tab_leads_from_the_answer_that_enter_gives_to_the_next_one() {
+    for (tabs, saves) in [(0, true), (1, false)] {
+        let mut story = Story::start(&[]);
+        story.key_with(Modifiers::SHIFT, Key::C);
+        story.key_with(Modifiers::COMMAND, Key::N);
+        for _ in 0..tabs {
+            story.key(Key::Tab);
+        }
+        story.key(Key::Enter);
+        assert!(!story.has("Don't Save"), "the question is answered");
+        assert_eq!(!story.host.requests.is_empty(), saves);
+        assert_eq!(story.names().is_empty(), !saves);
+    }
+}
+
+#[test]
 fn nothing_is_drawn_and_nothing_waits_while_nothing_changes() {
     let mut story = Story::start(&["models/strip.obj"]);
     let before = story.scene_picture();

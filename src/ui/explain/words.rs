@@ -177,7 +177,9 @@ fn chained(start: &'static str, parent: &'static str, chain: Chain, own: Vec<Par
         | Chain::OwnParentRotation
         | Chain::OwnRotation
         | Chain::OwnRotationInPlace
-        | Chain::OffsetsNotTurned => {
+        | Chain::OffsetsNotTurned
+        | Chain::ParentAtRest
+        | Chain::TurnsOwnParent => {
             parts.insert(0, part(parent, Mark::Changed));
         }
     }
