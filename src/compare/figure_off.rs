@@ -2,7 +2,7 @@
 
 use super::Area;
 use super::differences::difference;
-use super::pair::{DRAWN_THRESHOLD, Pair, is_drawn};
+use super::pair::{DRAWN_THRESHOLD, Pair};
 use crate::steps::{Pace, at_once};
 
 /// Pixels among nine that are such ones where it is no edge or line alone.
@@ -147,14 +147,13 @@ impl Pair<'_> {
             height: self.height() as usize,
         };
         let (a, b) = (self.a(), self.b());
-        let [background_a, background_b] = self.backgrounds();
         let count = self.kept().len();
         let mut off = [vec![false; count], vec![false; count]];
         let mut right = vec![false; count];
         let mut of_figures = 0;
         pace.bands(count, |band| {
             for at in band.filter(|&at| self.kept()[at]) {
-                let drawn = [is_drawn(a[at], background_a), is_drawn(b[at], background_b)];
+                let drawn = self.figures_at(at);
                 let differs = difference(a[at], b[at]) > DRAWN_THRESHOLD;
                 for (off, drawn) in off.iter_mut().zip(drawn) {
                     off[at] = drawn && differs;
@@ -171,9 +170,9 @@ impl Pair<'_> {
         if islands.iter().all(Vec::is_empty) {
             return None;
         }
-        let has_outline = background_a.is_some() && background_b.is_some();
-        if !has_outline {
-            // However large the picture is about the figure.
+        let has_outline = self.has_figures();
+        if self.backgrounds().contains(&None) {
+            // However large the picture is about the figure, or of this program's own ones, in which what is right is equal.
             of_figures = islands.iter().flatten().map(Vec::len).sum();
         }
         let mut solid = Vec::new();

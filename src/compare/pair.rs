@@ -1,4 +1,4 @@
-use super::{Area, CompareError};
+use super::{Area, CompareError, Ground};
 use crate::geometry::Picture;
 use crate::steps::{Pace, at_once};
 use std::borrow::Cow;
@@ -30,6 +30,8 @@ pub struct Pair<'a> {
     kept: Vec<bool>,
     /// Background of A and of B, red, green, blue.
     backgrounds: [Option<[u8; 3]>; 2],
+    /// What is behind the figures of a picture without such a background, if it is known.
+    ground: Option<Ground>,
     /// Whether A, and B, has colors of which none shows, as nothing is opaque at all.
     hides_colors: [bool; 2],
 }
@@ -87,6 +89,7 @@ impl<'a> Pair<'a> {
             b: pixels_of_b,
             kept,
             backgrounds: [None; 2],
+            ground: None,
             hides_colors: hides,
         };
         pair.backgrounds = [pair.background_of(&pair.a), pair.background_of(&pair.b)];
@@ -107,6 +110,28 @@ impl<'a> Pair<'a> {
     /// `None` where the border has no such color.
     pub fn backgrounds(&self) -> [Option<[u8; 3]>; 2] {
         self.backgrounds
+    }
+
+    /// The same, where figures stand on a ground in a picture that has no background of one color.
+    pub(super) fn on_ground(self, ground: Option<Ground>) -> Self {
+        Self { ground, ..self }
+    }
+
+    /// Whether A, and B, shows more at `index` than what is behind figures, as far as that is known.
+    #[inline]
+    pub(super) fn figures_at(&self, index: usize) -> [bool; 2] {
+        let row = index / self.width as usize;
+        let up = 1.0 - (row as f32 + 0.5) / self.height as f32;
+        let pixels = [self.a[index], self.b[index]];
+        [0, 1].map(|which| match (self.backgrounds[which], &self.ground) {
+            (None, Some(ground)) => !ground.may_be(pixels[which], up),
+            (background, _) => is_drawn(pixels[which], background),
+        })
+    }
+
+    /// Whether figures are told from what is behind them in both pictures.
+    pub(super) fn has_figures(&self) -> bool {
+        self.ground.is_some() || self.backgrounds.iter().all(Option::is_some)
     }
 
     /// Whether A, and B, has different colors that opacity 0 of every pixel hides.
@@ -224,6 +249,7 @@ impl Pair<'_> {
             b: Cow::Owned(b),
             kept: self.kept.clone(),
             backgrounds: [Some(in_a); 2],
+            ground: self.ground,
             hides_colors: self.hides_colors,
         })
     }

@@ -1,5 +1,5 @@
 use super::rules::with_messages;
-use super::{Allowance, Area, CompareError, Differences, FigureOff, Finding, Pair};
+use super::{Allowance, Area, CompareError, Differences, FigureOff, Finding, Ground, Pair};
 use crate::geometry::Picture;
 use crate::steps::{Pace, Steps, at_once};
 use serde::Serialize;
@@ -68,6 +68,8 @@ pub struct PictureJob {
     pub threshold: u8,
     /// Areas that are left out.
     pub ignore: Vec<Area>,
+    /// What figures stand on in a picture that has no background of one color.
+    pub ground: Option<Ground>,
 }
 
 /// Result of the quick half of a [`PictureJob`].
@@ -114,7 +116,8 @@ impl PictureJob {
     }
 
     async fn pair(&self, pace: &Pace) -> Result<Pair<'_>, CompareError> {
-        Pair::paced_new(&self.a, &self.b, &self.ignore, pace).await
+        let pair = Pair::paced_new(&self.a, &self.b, &self.ignore, pace).await?;
+        Ok(pair.on_ground(self.ground))
     }
 }
 
@@ -260,6 +263,7 @@ mod tests {
             b,
             threshold: 0,
             ignore: ignore.iter().map(|area| area.parse().unwrap()).collect(),
+            ground: None,
         }
     }
 
@@ -381,6 +385,7 @@ mod tests {
                 b: Arc::new(changed(kinds.1)),
                 threshold: 3,
                 ignore: if masked { vec!["10,20,180,90".parse().unwrap()] } else { Vec::new() },
+                ground: None,
             };
             let pair = Pair::new(&job.a, &job.b, &job.ignore).unwrap();
             let measured = in_steps(job.clone().measure_by(step));

@@ -1,7 +1,7 @@
 //! Areas of pictures in words, by where they lie in what is drawn.
 
 use super::Area;
-use super::pair::{Pair, is_drawn};
+use super::pair::Pair;
 use crate::steps::{Pace, at_once};
 
 /// Drawn pixels in a row or column that may be no more than a line that crosses it, such as an axis.
@@ -19,12 +19,10 @@ impl Pair<'_> {
     /// The same in steps.
     pub(super) async fn paced_figure(&self, pace: &Pace) -> Option<Area> {
         let (width, height) = (self.width() as usize, self.height() as usize);
-        let [background_a, background_b] = self.backgrounds();
         let (mut columns, mut rows) = (vec![0_u32; width], vec![0_u32; height]);
         pace.bands(self.kept().len(), |band| {
             for index in band {
-                let (a, b) = (self.a()[index], self.b()[index]);
-                if self.kept()[index] && (is_drawn(a, background_a) || is_drawn(b, background_b)) {
+                if self.kept()[index] && self.figures_at(index).contains(&true) {
                     columns[index % width] += 1;
                     rows[index / width] += 1;
                 }

@@ -321,9 +321,11 @@ static PARENTS_ROTATIONS_MISSING: Mistake = Mistake {
 /// One in what is moved by turns about places, without a transform for each joint.
 static TURNS_ORDER: Mistake = Mistake {
     id: "turns-order",
-    meaning: "what turns a joint about its place at rest is multiplied as own · parent instead of parent · own, so that the               turns of those above it come first",
+    meaning: "what turns a joint about its place at rest is multiplied as own · parent instead of parent · own, so that the \
+              turns of those above it come first",
     section: SKELETON,
-    look_at: "where turns about places at rest are multiplied, or come to a vertex one after the other: a joint's own comes               first to a vertex, and the root's last",
+    look_at: "where turns about places at rest are multiplied, or come to a vertex one after the other: a joint's own comes \
+              first to a vertex, and the root's last",
     readings: &[reading("", |formula| formula.chain = Chain::TurnsOwnParent)],
 };
 

@@ -1,7 +1,7 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use crate::compare::{Area, CompareError, Measured, Pair, PictureJob, side_by_side};
+use crate::compare::{Area, CompareError, Ground, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::Picture;
 use crate::render::Backdrop;
 use crate::revision::Revision;
@@ -334,6 +334,7 @@ impl Comparison {
                 b: live,
                 threshold: self.settings.threshold,
                 ignore: self.settings.masks.clone(),
+                ground: self.ground(),
             },
         }));
         self.measuring.running = Some(Running {
@@ -343,6 +344,12 @@ impl Comparison {
         });
         host.start_job(job);
         (half == Half::Judge).then_some(LOOK)
+    }
+
+    /// What the figures stand on in the live view, if its look has a ground.
+    fn ground(&self) -> Option<Ground> {
+        let drawn = self.drawn.as_ref()?;
+        (drawn.view.look == Look::Studio).then(|| self.looks.1.ground())
     }
 
     /// Chooses the edges of the live view, of whose pixels so many differ as it is drawn now.

@@ -1,5 +1,7 @@
 //! What is behind the shapes, and the colors that are legible before it.
 
+use super::ground_pass::LIT;
+use crate::compare::Ground;
 use crate::geometry::Picture;
 use crate::scene::Look;
 use glam::Vec3;
@@ -82,6 +84,18 @@ impl Backdrop {
                 color.abs_diff_eq(top, TOLERANCE)
             })
         })
+    }
+
+    /// What figures stand on in the Studio look.
+    pub fn ground(self) -> Ground {
+        let colors = self.colors(Look::Studio);
+        Ground {
+            top: colors.top,
+            bottom: colors.bottom,
+            color: colors.ground,
+            lit: LIT,
+            darkness: colors.darkness,
+        }
     }
 
     /// The colors of a look before this backdrop.

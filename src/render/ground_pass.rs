@@ -118,7 +118,7 @@ pub(super) fn ground_from_world(ground: f32) -> Mat4 {
 /// Texture unit of the shadows.
 const SHADOWS: u32 = 0;
 /// Share of what is behind the ground that its light covers, in the middle.
-const LIT: f32 = 0.6;
+pub(super) const LIT: f32 = 0.6;
 /// Width of a shadow's fading edge in the world.
 const SOFTNESS: f32 = 0.07;
 

@@ -2,7 +2,7 @@
 
 use super::picking::pick_shape;
 use super::{Camera, Evaluated, EvaluatedShape, ModelDisplay, Scene, ShapeId, ShapeKind};
-use crate::character::Attachments;
+use crate::character::Influence;
 use crate::math::{Cylinder, Ray};
 use glam::{Vec2, Vec3};
 
@@ -114,11 +114,12 @@ pub fn pick_bone(
     if hits.iter().all(|(hit, _)| is_first(hit)) {
         return Some(first);
     }
-    let Some((shape, joint)) = seen_joint(scene, evaluated, &ray) else {
+    let Some((shape, joint)) = joint_seen_by(scene, evaluated, &ray) else {
         return Some(first);
     };
     hits.retain(|(hit, _)| hit.shape == shape);
     let on_line = hits.iter().find(|(_, is_on_line)| *is_on_line);
+    let joint = joint.map(|influence| influence.joint as usize);
     let seen = || hits.iter().find(|(hit, _)| Some(hit.joint) == joint);
     let hit = on_line.or_else(seen).or_else(|| hits.first());
     Some(hit.map_or(first, |(hit, _)| *hit))
@@ -166,9 +167,13 @@ fn is_on_line([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
     pixel.distance(start + along * share.clamp(0.0, 1.0)) < LINE
 }
 
-/// The character whose mesh is seen at the end of `ray`, and the joint that moves it most there; `None` if it is no
+/// The character whose mesh is seen at the end of `ray`, and the strongest influence of a joint on it there; `None` if it is no
 /// character, or one of which the skeleton is seen.
-fn seen_joint(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, Option<usize>)> {
+pub fn joint_seen_by(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    ray: &Ray,
+) -> Option<(ShapeId, Option<Influence>)> {
     let are_large = |shape: &EvaluatedShape| shape.geometry.mesh.triangles.len() > LARGEST;
     if evaluated.shapes.iter().any(are_large) {
         return None;
@@ -185,14 +190,15 @@ fn seen_joint(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeI
     if vertex >= attachments.vertex_count() {
         return Some((id, None));
     }
-    let strongest = Attachments::strongest(attachments.of_vertex(vertex));
-    Some((id, strongest.map(|joint| joint as usize)))
+    let influences = attachments.of_vertex(vertex).iter();
+    let strongest = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
+    Some((id, strongest.copied()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::character::{Character, Influence, Joint, SkeletalModel};
+    use crate::character::{Attachments, Character, Joint, SkeletalModel};
     use crate::geometry::Mesh;
     use crate::scene::{CharacterShape, Evaluator, NewShape};
     use std::sync::Arc;

@@ -232,8 +232,16 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
-        let outlined = &mut state.outlined;
-        compare::panel(root, session, compare, settings, outlined, &mut actions);
+        let (outlined, kept) = (&mut state.outlined, &mut state.kept_parts);
+        compare::panel(
+            root,
+            session,
+            compare,
+            settings,
+            outlined,
+            kept,
+            &mut actions,
+        );
     }
     if input.compare.is_some() && state.explain.is_open() {
         state.explain.set_open(false);

@@ -58,6 +58,7 @@ fn no_step_of_a_comparison_takes_a_large_part_of_its_time() {
             b: large(&scene, 4),
             threshold: 0,
             ignore: Vec::new(),
+            ground: None,
         };
         let (count, longest, all) = times(job.clone().measure());
         assert!(

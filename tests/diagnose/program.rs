@@ -58,7 +58,7 @@ influences-cut-4, vertices-renumbered, joints-by-depth, \
 one-axis-ignored-x, one-axis-ignored-y, sign-flipped-x, sign-flipped-y, \
 root-rotated-before-translation, root-angles-missing, stack-not-popped, parents-misread, root-translation-missing, \
 root-transform-missing, root-transform-repeated, sum-overwritten, angles-exchanged, influences-cut-fewer, sum-divided, \
-small-weights-left-out, above-parents-missing, parents-rotations-missing, parent-rotation-order, offset-not-turned, inverse-bind-shared, \
+small-weights-left-out, above-parents-missing, parents-rotations-missing, parent-rotation-order, offset-not-turned, turns-order, inverse-bind-shared, \
 angle-repeated: with these mistakes, made in the usual way, it would be the same here
 ";
         assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(0), told, WARNING));

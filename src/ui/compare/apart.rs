@@ -4,22 +4,56 @@ use super::parts::{of_shapes, parts};
 use super::place::{near, place};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
+use crate::revision::Revision;
+use crate::scene::Camera;
 use std::collections::BTreeMap;
 
 /// A place in which pictures differ.
+#[derive(Clone, Debug)]
 pub(super) struct Place {
     pub told: String,
     pub area: Area,
 }
 
-/// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
-pub(super) fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
-    let parts = parts(session, off, size).into_iter();
-    let places = parts.map(|part| Place {
-        told: near(&part.name, &about(part.percent)),
-        area: part.area,
-    });
-    places.collect()
+/// The parts that were found last. They stay as long as nothing changes of what they follow from: to find them takes longer
+/// than a frame should, for rays go to thousands of pixels.
+#[derive(Clone, Debug, Default)]
+pub(in crate::ui) struct KeptParts {
+    of: Option<KeptOf>,
+    places: Vec<Place>,
+}
+
+/// What parts follow from: the document, its view of so many pixels, and what differs there, of which a new one has other
+/// numbers of pixels or is round another area.
+type KeptOf = (Revision, Camera, (u32, u32), Area, [usize; 3]);
+
+impl KeptParts {
+    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
+    pub(super) fn of(
+        &mut self,
+        session: &Session,
+        off: &FigureOff,
+        size: (u32, u32),
+    ) -> Vec<Place> {
+        let counts = [&off.ours, &off.theirs, &off.right].map(Vec::len);
+        let of = (
+            session.document(),
+            session.view().camera,
+            size,
+            off.area,
+            counts,
+        );
+        if self.of != Some(of) {
+            let parts = parts(session, off, size).into_iter();
+            let places = parts.map(|part| Place {
+                told: near(&part.name, &about(part.percent)),
+                area: part.area,
+            });
+            self.places = places.collect();
+            self.of = Some(of);
+        }
+        self.places.clone()
+    }
 }
 
 /// Pixels, of those that stand for what is off, up to which places apart from one another are sought.
@@ -36,13 +70,14 @@ pub(super) fn apart(
     off: &FigureOff,
     figure: Area,
     size: (u32, u32),
+    kept: &mut KeptParts,
 ) -> Vec<Place> {
     // Where so much is off, no parts are, and to look for some would take longer than a frame.
     if off.ours.len() + off.theirs.len() > MOST_PIXELS {
         return Vec::new();
     }
     let off = of_shapes(session, off, size);
-    let of_parts = of_parts(session, &off, size);
+    let of_parts = kept.of(session, &off, size);
     if !of_parts.is_empty() {
         return of_parts;
     }

@@ -2,7 +2,7 @@
 
 use crate::character::Joint;
 use crate::editor::Session;
-use crate::scene::bones_in_world;
+use crate::scene::{ShapeId, bones_in_world};
 use glam::Vec2;
 
 /// Points along a bone that are looked at.
@@ -10,6 +10,7 @@ const SAMPLES: u8 = 16;
 
 /// A character in view.
 pub(super) struct CharacterSeen<'a> {
+    pub shape: ShapeId,
     pub joints: &'a [Joint],
     pub bones: Vec<BoneSeen>,
     /// Name of the character, if there are several.
@@ -63,6 +64,7 @@ pub(super) fn characters_seen(session: &Session, size: Vec2) -> Vec<CharacterSee
             }
         });
         Some(CharacterSeen {
+            shape: shape.id,
             joints: character.character.skeleton().joints(),
             bones: bones.collect(),
             name: are_several.then_some(&*shape.name),

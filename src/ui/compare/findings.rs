@@ -1,7 +1,7 @@
 //! What is wrong with a picture, in words, with the places that are outlined.
 
 use super::CompareView;
-use super::apart::{Place, apart};
+use super::apart::{KeptParts, Place, apart};
 use super::hints::{self, hints};
 use super::outlined::Outlined;
 use super::page_figure::{self, FigureTold};
@@ -13,12 +13,16 @@ use crate::scene::Look;
 use crate::ui::theme::Palette;
 use egui::{Button, Ui};
 
+/// What is said before places that have no cause.
+const WHERE: &str = "The pictures differ here:";
+
 /// What is wrong, in words.
 pub(super) fn findings(
     ui: &mut Ui,
     session: &Session,
     compare: &CompareView,
     outlined: &mut Outlined,
+    kept: &mut KeptParts,
 ) {
     let palette = Palette::of(ui.visuals());
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
@@ -26,11 +30,11 @@ pub(super) fn findings(
     let all = counts.and_then(|counts| counts.differing_area);
     // What differs of the figure says more than all that does, where other lines and floors are drawn about it.
     let of_page = compare.report.page_figure.as_ref();
-    let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure));
+    let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure, kept));
     let judgment = compare.report.judgment.as_ref();
     let apart = judgment.filter(|_| of_page.is_none()).and_then(|judged| {
         let (off, figure) = (judged.off.as_ref()?, judged.figure?);
-        Some(apart(session, off, figure, compare.size()))
+        Some(apart(session, off, figure, compare.size(), kept))
     });
     let apart = apart.unwrap_or_default();
     let places = of_page.as_ref().map(|figure| &figure.places);
@@ -90,6 +94,11 @@ pub(super) fn findings(
             Some(judgment) if !report.measuring => {
                 let are_told_apart =
                     |finding: &Finding| finding.is_without_cause() && !apart.is_empty();
+                // Where it is comes before how many pixels it is.
+                if judgment.findings.iter().any(are_told_apart) {
+                    say(ui, WHERE, palette.strong);
+                    links(ui, &apart, outlined);
+                }
                 for finding in &judgment.findings {
                     say(ui, &finding.sentence(), palette.strong);
                     let area = finding.area().filter(|_| !are_told_apart(finding));
@@ -97,9 +106,6 @@ pub(super) fn findings(
                         let place = place(session, area, figure, compare.size());
                         link(ui, &place, area, outlined);
                     }
-                }
-                if judgment.findings.iter().any(are_told_apart) {
-                    links(ui, &apart, outlined);
                 }
                 match places {
                     _ if !judgment.findings.is_empty() => {}
@@ -111,7 +117,10 @@ pub(super) fn findings(
                         links(ui, places, outlined);
                     }
                     None => {
-                        let text = "No single cause explains the differences.";
+                        let text = match apart.len() {
+                            1 => WHERE,
+                            _ => "No single cause explains the differences.",
+                        };
                         say(ui, text, palette.text);
                         links(ui, &apart, outlined);
                         let all = all.filter(|_| apart.is_empty());

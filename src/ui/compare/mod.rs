@@ -15,13 +15,16 @@ mod mesh_marker;
 mod mesh_panel;
 mod mesh_view;
 mod outlined;
+mod owned;
 mod page_figure;
 mod panel;
 mod parts;
 mod pictures;
 mod place;
 mod settings;
+mod turned;
 
+pub(super) use apart::KeptParts;
 pub(super) use mesh_marker::show as mesh_marker;
 pub(super) use mesh_panel::{MeshPanelState, show as mesh_panel};
 pub use mesh_view::{CompareMeshAction, CompareMeshView, MeshesShown};

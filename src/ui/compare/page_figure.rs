@@ -1,6 +1,6 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
-use super::apart::{Place, of_parts};
+use super::apart::{KeptParts, Place};
 use super::place::place;
 use super::{CompareView, PageFigure};
 use crate::compare::sentence;
@@ -44,7 +44,12 @@ pub(super) struct FigureTold {
 }
 
 impl FigureTold {
-    pub(super) fn new(session: &Session, compare: &CompareView, figure: &PageFigure) -> Self {
+    pub(super) fn new(
+        session: &Session,
+        compare: &CompareView,
+        figure: &PageFigure,
+        kept: &mut KeptParts,
+    ) -> Self {
         let is_sure = compare.is_cut;
         let Some(off) = &figure.off else {
             return Self {
@@ -53,7 +58,7 @@ impl FigureTold {
                 is_sure,
             };
         };
-        let places = of_parts(session, off, compare.size());
+        let places = kept.of(session, off, compare.size());
         if places.is_empty() {
             let area = off.area;
             // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.

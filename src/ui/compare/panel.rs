@@ -1,3 +1,4 @@
+use super::apart::KeptParts;
 use super::findings::findings;
 use super::outlined::Outlined;
 use super::{CompareReport, CompareView, masks};
@@ -27,6 +28,7 @@ pub(in crate::ui) fn show(
     compare: &CompareView,
     changed: &mut CompareSettings,
     outlined: &mut Outlined,
+    kept: &mut KeptParts,
     actions: &mut Vec<Action>,
 ) {
     let look = session.view().look;
@@ -36,13 +38,13 @@ pub(in crate::ui) fn show(
         ui.push_id(compare.reference.texture, |ui| {
             if has_room_for_columns(ui) {
                 columns(ui, |number, ui| match number {
-                    0 => findings(ui, session, compare, outlined),
+                    0 => findings(ui, session, compare, outlined, kept),
                     1 => numbers(ui, compare.report),
                     _ => settings(ui, look, compare, changed, actions),
                 });
             } else {
                 scrolled(ui, |ui| {
-                    findings(ui, session, compare, outlined);
+                    findings(ui, session, compare, outlined, kept);
                     numbers(ui, compare.report);
                     ui.separator();
                     settings(ui, look, compare, changed, actions);

@@ -9,8 +9,6 @@ use glam::Vec2;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
-/// The same where shadows are among what is off.
-const EXPLAINED_ON_GROUND: f32 = 0.6;
 /// Percent of the figure from which on they are no parts of it any more: a camera that is elsewhere leaves less of it right.
 const FIGURE: f64 = 50.0;
 /// Most parts that differ by themselves.
@@ -69,7 +67,8 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     };
     let shapes = shapes_seen(session, size).into_iter();
     let shapes = shapes.filter(|shape| shape.shows_at(&ours, session, size));
-    let limbs = limbs.into_iter().map(Seen::Limb);
+    let is_camera_right = limbs.has_right_character;
+    let limbs = limbs.all.into_iter().map(Seen::Limb);
     let seen: Vec<Seen> = limbs.chain(shapes.map(Seen::Shape)).collect();
     let nearest = |pixel: Vec2, may_be: &dyn Fn(&Seen) -> bool| {
         let all = seen.iter().enumerate().filter(|(_, it)| may_be(it));
@@ -82,11 +81,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         nearest.is_some_and(|(_, distance)| distance <= 1.0)
     };
     let explained = of_ours.iter().filter(is_explained).count() as f32;
-    let needed = match off.has_outline {
-        true => EXPLAINED,
-        false => EXPLAINED_ON_GROUND,
-    };
-    if explained < needed * ours.len() as f32 {
+    if explained < EXPLAINED * ours.len() as f32 {
         return Vec::new();
     }
     let of_theirs = theirs
@@ -111,7 +106,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     });
     let parts: Vec<Part> = parts.collect();
     let of_figure: f64 = parts.iter().map(|part| part.percent).sum();
-    if parts.len() > MOST || of_figure >= FIGURE {
+    if parts.len() > MOST || of_figure >= FIGURE && !is_camera_right {
         return Vec::new();
     }
     parts
@@ -121,8 +116,8 @@ fn at(&[x, y]: &[u32; 2]) -> Vec2 {
     Vec2::new(x as f32, y as f32)
 }
 
-/// What is off of the shapes in a live view of `size` pixels. What is behind them tells nothing of them, such as where something
-/// was or throws its shadow.
+/// What is off of the shapes in a live view of `size` pixels. Where that is not told from what is behind them, this tells
+/// nothing of them.
 pub(super) fn of_shapes(session: &Session, off: &FigureOff, size: (u32, u32)) -> FigureOff {
     let mut of_shapes = off.clone();
     if off.has_outline {

@@ -1,0 +1,201 @@
+//! Which joints of a character are turned, where the pixels of the live view that are off and that are right are known.
+
+use super::bones_seen::{BoneSeen, CharacterSeen};
+use super::owned::{Owned, Ownership};
+use glam::Vec2;
+
+/// How far from a bone's line a pixel may be that is off where the bone is, by the figure's scale: the line runs through the
+/// middle of a limb, which is off unless the limb has hardly moved.
+const AT_BONE: f32 = 0.012;
+/// Share of a bone's line that is off where the joint before it is turned: its beginning stays where it is.
+const IS_OFF: f32 = 0.4;
+/// Share of a bone's line from which on it is right, so that the joint above that it hangs on is not turned.
+const IS_RIGHT: f32 = 0.5;
+/// Share of what is seen of a joint's mesh that is off where the joint is turned: what turns a little covers much of where it
+/// was. Of a joint that nothing hangs on as much as of a line, for it may be covered by what was elsewhere.
+const MESH_IS_OFF: f32 = 0.12;
+/// Share of the bones that hang on a joint which may be right where it is turned: where they are now, others were.
+const RIGHT_BELOW: f32 = 0.4;
+/// Length of a bone, by the longest one of the figure, below which it is inside of the limb that hangs on it, as at hips.
+const SHORT: f32 = 0.25;
+
+/// What differs of a bone.
+struct Told<'a> {
+    bone: &'a BoneSeen,
+    /// Whether it is off, and whether it is right. Nothing is known of what is hidden, and where the figure is thin.
+    is_off: bool,
+    is_right: bool,
+    /// Whether more of it is off than of what is covered by something else.
+    is_off_by_itself: bool,
+}
+
+impl<'a> Told<'a> {
+    /// What is told by these shares of the mesh of the bone's joint that are off and that are right.
+    fn by_mesh(bone: &'a BoneSeen, [off, _]: [f32; 2]) -> Self {
+        Self {
+            bone,
+            is_off: off >= MESH_IS_OFF,
+            is_right: off < MESH_IS_OFF,
+            is_off_by_itself: off >= IS_OFF,
+        }
+    }
+
+    /// What is told along the bone's line by the nearest pixels that are off and right, of those within `reach`, where the bone `is_seen`.
+    fn by_line(
+        bone: &'a BoneSeen,
+        [off, right]: &[PixelMap; 2],
+        reach: f32,
+        is_seen: impl Fn(Vec2) -> bool,
+    ) -> Self {
+        let (mut of_off, mut of_right) = (0, 0);
+        for at in bone.pixels.iter().copied().filter(|&at| is_seen(at)) {
+            match (off.nearest(at, reach), right.nearest(at, reach)) {
+                (Some(off), right) if right.is_none_or(|right| off <= right) => of_off += 1,
+                (_, Some(_)) => of_right += 1,
+                _ => {}
+            }
+        }
+        let share = |count: usize| count as f32 / bone.pixels.len().max(1) as f32;
+        let (off, right) = (share(of_off), share(of_right));
+        let is_off = off >= IS_OFF && off > right;
+        Self {
+            bone,
+            is_off,
+            is_right: right >= IS_RIGHT,
+            is_off_by_itself: is_off,
+        }
+    }
+
+    fn is_known(&self) -> bool {
+        self.is_off || self.is_right
+    }
+}
+
+/// Which joints of a character are turned, as far as the mesh and the bones tell, and whether some are known not to be and
+/// none is.
+pub(super) fn turned(
+    character: &CharacterSeen,
+    pixels: [&[Vec2]; 2],
+    owned: &Owned,
+    (size, scale): (Vec2, f32),
+) -> (Vec<bool>, bool) {
+    let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
+    let parent = |joint: usize| character.joints[joint].parent;
+    let told = character.bones.iter().map(|bone| {
+        let (shape, joint) = (character.shape, bone.joint);
+        let reach = AT_BONE * scale;
+        match owned.of(shape, joint) {
+            Ownership::Shares(shares) => Told::by_mesh(bone, shares),
+            // Where it is seen, and not hidden, the next ones may move more there.
+            Ownership::Little => Told::by_line(bone, &maps, reach, |at| {
+                owned.joint_at(at, shape).is_some_and(|seen| {
+                    seen == joint || parent(seen) == Some(joint) || parent(joint) == Some(seen)
+                })
+            }),
+            Ownership::Unknown => Told::by_line(bone, &maps, reach, |_| true),
+        }
+    });
+    let told: Vec<Told> = told.collect();
+    let turned = turned_by(character, &told);
+    let is_right = !turned.contains(&true) && told.iter().any(|told| told.is_right);
+    (turned, is_right)
+}
+
+fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
+    let joints = character.joints;
+    let is_known = |joint: usize| {
+        let mut own = told.iter().filter(|told| told.bone.joint == joint);
+        own.any(Told::is_known)
+    };
+    let is_turned = |joint: usize| {
+        let mut own = told.iter().filter(|told| told.bone.joint == joint);
+        let hangs_on = |told: &&Told| {
+            told.bone.joint != joint && above(character, told.bone.joint).any(|it| it == joint)
+        };
+        let below: Vec<&Told> = told.iter().filter(hangs_on).collect();
+        let right = below.iter().filter(|told| told.is_right).count();
+        // The first ones that something is known of on the way down.
+        let is_next = |told: &&&Told| {
+            let mut between = above(character, told.bone.joint).skip(1);
+            told.is_known() && !between.by_ref().take_while(|it| *it != joint).any(is_known)
+        };
+        let next: Vec<&&Told> = below.iter().filter(is_next).collect();
+        let is_off = if is_known(joint) {
+            own.any(|told| told.is_off && (told.is_off_by_itself || !next.is_empty()))
+        } else {
+            // A root of which nothing is seen turns all that hangs on it.
+            joints[joint].parent.is_none() && !next.is_empty()
+        };
+        is_off
+            && !next.iter().any(|told| told.is_right)
+            && right as f32 <= RIGHT_BELOW * below.len() as f32
+    };
+    let turned: Vec<bool> = (0..joints.len()).map(is_turned).collect();
+    let bones = || character.bones.iter();
+    let longest = bones().map(|bone| bone.length).fold(0.0, f32::max);
+    // A joint with short bones cannot be told from the one that hangs on it, which is what is posed.
+    let is_of_child = |joint: usize| {
+        let mut own = bones().filter(|bone| bone.joint == joint);
+        let below = turned.iter().zip(joints);
+        let turned = below.filter(|(turned, below)| **turned && below.parent == Some(joint));
+        own.all(|bone| bone.length < SHORT * longest) && turned.count() == 1
+    };
+    let all = turned.iter().enumerate();
+    all.map(|(joint, turned)| *turned && !is_of_child(joint))
+        .collect()
+}
+
+/// A joint and all that it hangs on.
+pub(super) fn above(character: &CharacterSeen, joint: usize) -> impl Iterator<Item = usize> {
+    let joints = character.joints;
+    std::iter::successors(Some(joint), |&joint| joints[joint].parent)
+}
+
+/// Pixels by where they are.
+struct PixelMap {
+    is_in: Vec<bool>,
+    size: [usize; 2],
+}
+
+impl PixelMap {
+    fn new(pixels: &[Vec2], size: Vec2) -> Self {
+        let size = [size.x as usize, size.y as usize];
+        let mut is_in = vec![false; size[0] * size[1]];
+        for pixel in pixels {
+            is_in[pixel.y as usize * size[0] + pixel.x as usize] = true;
+        }
+        Self { is_in, size }
+    }
+
+    /// Distance of the nearest pixel, if there is one within `most`.
+    fn nearest(&self, at: Vec2, most: f32) -> Option<f32> {
+        let along = |at: f32, size: usize| {
+            let end = (at + most).floor().max(-1.0) + 1.0;
+            (at - most).ceil().max(0.0) as usize..size.min(end as usize)
+        };
+        let rows = along(at.y, self.size[1]);
+        let pixels = rows.flat_map(|y| along(at.x, self.size[0]).map(move |x| (x, y)));
+        let known = pixels.filter(|(x, y)| self.is_in[y * self.size[0] + x]);
+        let distances = known.map(|(x, y)| Vec2::new(x as f32, y as f32).distance(at));
+        distances
+            .filter(|distance| *distance <= most)
+            .reduce(f32::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_pixel_is_found_at_the_edges_of_a_picture_and_none_outside() {
+        let map = PixelMap::new(&[Vec2::ZERO, Vec2::new(9.0, 4.0)], Vec2::new(10.0, 5.0));
+        let nearest = |x: f32, y: f32| map.nearest(Vec2::new(x, y), 3.0);
+        assert_eq!(nearest(0.0, 2.0), Some(2.0));
+        assert_eq!(nearest(-3.0, 0.0), Some(3.0));
+        assert_eq!(nearest(9.0, 6.5), Some(2.5));
+        for (x, y) in [(-9.0, -9.0), (-3.0, -3.0), (50.0, 2.0), (5.0, 2.0)] {
+            assert_eq!(nearest(x, y), None, "{x}, {y}");
+        }
+    }
+}
