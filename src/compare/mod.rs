@@ -13,7 +13,6 @@ mod differences;
 mod figure_off;
 mod filters;
 mod flip;
-mod ground;
 mod mesh;
 mod pair;
 mod picture_comparison;
@@ -29,7 +28,6 @@ pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
 pub use figure_off::{FigureOff, PixelGrid};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
-pub use ground::Ground;
 pub use mesh::{
     MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, SignedAxis,
     WorstVertex, compare_meshes, permutation,

@@ -1,5 +1,5 @@
-use super::{Area, CompareError, Ground};
-use crate::geometry::Picture;
+use super::{Area, CompareError};
+use crate::geometry::{GroundColors, Picture};
 use crate::steps::{Pace, at_once};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -31,7 +31,7 @@ pub struct Pair<'a> {
     /// Background of A and of B, red, green, blue.
     backgrounds: [Option<[u8; 3]>; 2],
     /// What is behind the figures of a picture without such a background, if it is known.
-    ground: Option<Ground>,
+    ground: Option<GroundColors>,
     /// Whether A, and B, has colors of which none shows, as nothing is opaque at all.
     hides_colors: [bool; 2],
 }
@@ -113,7 +113,7 @@ impl<'a> Pair<'a> {
     }
 
     /// The same, where figures stand on a ground in a picture that has no background of one color.
-    pub(super) fn on_ground(self, ground: Option<Ground>) -> Self {
+    pub(super) fn on_ground(self, ground: Option<GroundColors>) -> Self {
         Self { ground, ..self }
     }
 

@@ -1,6 +1,6 @@
 use super::rules::with_messages;
-use super::{Allowance, Area, CompareError, Differences, FigureOff, Finding, Ground, Pair};
-use crate::geometry::Picture;
+use super::{Allowance, Area, CompareError, Differences, FigureOff, Finding, Pair};
+use crate::geometry::{GroundColors, Picture};
 use crate::steps::{Pace, Steps, at_once};
 use serde::Serialize;
 use std::fmt;
@@ -69,7 +69,7 @@ pub struct PictureJob {
     /// Areas that are left out.
     pub ignore: Vec<Area>,
     /// What figures stand on in a picture that has no background of one color.
-    pub ground: Option<Ground>,
+    pub ground: Option<GroundColors>,
 }
 
 /// Result of the quick half of a [`PictureJob`].

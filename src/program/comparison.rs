@@ -1,8 +1,8 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use crate::compare::{Area, CompareError, Ground, Measured, Pair, PictureJob, side_by_side};
-use crate::geometry::Picture;
+use crate::compare::{Area, CompareError, Measured, Pair, PictureJob, side_by_side};
+use crate::geometry::{GroundColors, Picture};
 use crate::render::Backdrop;
 use crate::revision::Revision;
 use crate::scene::{Camera, Look, Skinning, ViewSettings};
@@ -347,7 +347,7 @@ impl Comparison {
     }
 
     /// What the figures stand on in the live view, if its look has a ground.
-    fn ground(&self) -> Option<Ground> {
+    fn ground(&self) -> Option<GroundColors> {
         let drawn = self.drawn.as_ref()?;
         (drawn.view.look == Look::Studio).then(|| self.looks.1.ground())
     }

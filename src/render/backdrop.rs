@@ -1,8 +1,7 @@
 //! What is behind the shapes, and the colors that are legible before it.
 
 use super::ground_pass::LIT;
-use crate::compare::Ground;
-use crate::geometry::Picture;
+use crate::geometry::{GroundColors, Picture};
 use crate::scene::Look;
 use glam::Vec3;
 
@@ -87,9 +86,9 @@ impl Backdrop {
     }
 
     /// What figures stand on in the Studio look.
-    pub fn ground(self) -> Ground {
+    pub fn ground(self) -> GroundColors {
         let colors = self.colors(Look::Studio);
-        Ground {
+        GroundColors {
             top: colors.top,
             bottom: colors.bottom,
             color: colors.ground,

@@ -1,6 +1,5 @@
-//! A ground with shadows behind what is drawn, from which that is told by its colors.
+//! The colors of a ground with shadows, by which what is drawn before it in a picture is told from it.
 
-use super::pair::Pixel;
 use glam::Vec3;
 
 /// Shares of the ground's light that are tried.
@@ -11,7 +10,7 @@ const NEAR: f32 = 4.5 / 255.0;
 /// The colors of a background that goes from one color at the bottom to another at the top, of a ground before it that has
 /// some light of its own, and of the shadows that darken both. Red, green and blue, 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ground {
+pub struct GroundColors {
     /// Background at the top of the picture.
     pub top: Vec3,
     /// Background at the bottom.
@@ -24,9 +23,9 @@ pub struct Ground {
     pub darkness: f32,
 }
 
-impl Ground {
+impl GroundColors {
     /// Whether a pixel may be one of the ground, in the shade or not, `up` of the picture's height above its bottom.
-    pub(super) fn may_be(&self, [r, g, b, alpha]: Pixel, up: f32) -> bool {
+    pub fn may_be(&self, [r, g, b, alpha]: [u8; 4], up: f32) -> bool {
         if alpha < u8::MAX {
             return false;
         }
@@ -46,7 +45,7 @@ impl Ground {
 mod tests {
     use super::*;
 
-    const GROUND: Ground = Ground {
+    const GROUND: GroundColors = GroundColors {
         top: Vec3::new(0.3, 0.33, 0.37),
         bottom: Vec3::new(0.12, 0.13, 0.15),
         color: Vec3::new(0.37, 0.39, 0.42),
@@ -54,7 +53,7 @@ mod tests {
         darkness: 0.6,
     };
 
-    fn pixel(color: Vec3) -> Pixel {
+    fn pixel(color: Vec3) -> [u8; 4] {
         let [r, g, b] = (color * 255.0)
             .to_array()
             .map(|channel| channel.round() as u8);
@@ -73,15 +72,12 @@ mod tests {
                         "{up} {tenth} {light}"
                     );
                 }
-                assert!(
-                    !GROUND.may_be(pixel(0.2 * lit), up),
-                    "darker than any shadow"
-                );
-                assert!(
-                    !GROUND.may_be(pixel(1.3 * lit + 0.05), up),
-                    "brighter than any light"
-                );
             }
+            let darkest = GROUND.may_be(pixel(0.2 * background), up);
+            assert!(!darkest, "{up}: darker than any shadow");
+            let lit = background.lerp(GROUND.color, GROUND.lit);
+            let brightest = GROUND.may_be(pixel(1.15 * lit + 0.05), up);
+            assert!(!brightest, "{up}: brighter than any light");
             for figure in [
                 Vec3::splat(0.8),
                 Vec3::new(0.0, 0.4, 0.0),
