@@ -11,9 +11,11 @@ const SOLID: usize = 7;
 /// and a forearm that is turned a little is more than a hundredth.
 const LITTLE: f64 = 0.002;
 /// Pixels from one that stands for those around it to the next, …
-const APART: u32 = 3;
+const APART: usize = 3;
 /// … of figures that are larger than so many: of smaller ones each stands for itself.
 const SMALL: usize = 6000;
+/// Most pixels that stand for others, about: of still larger figures they are further apart.
+const MOST: usize = 30_000;
 
 /// What differs of a figure between two pictures A and B of one size.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,7 +55,10 @@ impl FigureOff {
         };
         let [ours, theirs] = [told(ours), told(theirs)];
         let count = ours.len() + theirs.len() + right.len();
-        let apart = if count <= SMALL { 1 } else { APART };
+        let apart = match count {
+            ..=SMALL => 1,
+            _ => count.div_ceil(MOST).isqrt().max(APART),
+        };
         let spread = |places: Vec<usize>| grid.spread(places, apart);
         Some(Self {
             area: grid.area_around(ours.iter().chain(&theirs).copied())?,
@@ -127,10 +132,14 @@ impl PixelGrid {
     }
 
     /// Those of these places that are so many pixels apart.
-    fn spread(self, places: Vec<usize>, apart: u32) -> Vec<[u32; 2]> {
+    fn spread(self, places: Vec<usize>, apart: usize) -> Vec<[u32; 2]> {
         let pixels = places.into_iter().map(|at| self.pixel(at));
         pixels
-            .filter(|pixel| pixel.iter().all(|along| along % apart == 0))
+            .filter(|pixel| {
+                pixel
+                    .iter()
+                    .all(|along| (*along as usize).is_multiple_of(apart))
+            })
             .collect()
     }
 

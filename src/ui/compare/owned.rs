@@ -14,8 +14,8 @@ const FEWEST: usize = 5;
 
 /// What is known of a joint.
 pub(super) enum Ownership {
-    /// Shares of its pixels that are off and that are right.
-    Shares([f32; 2]),
+    /// Share of its pixels that are off; the others are right.
+    Off(f32),
     /// It shows too little.
     Little,
     /// Nothing of the character's mesh is seen.
@@ -36,34 +36,32 @@ impl<'a> Owned<'a> {
         let (scene, evaluated) = (session.scene(), session.evaluated());
         let camera = &session.view().camera;
         let step = (pixels[0].len() + pixels[1].len()).div_ceil(MOST).max(1);
-        let mut owned: HashMap<(ShapeId, usize), [usize; 2]> = HashMap::new();
+        let mut counts: HashMap<(ShapeId, usize), [usize; 2]> = HashMap::new();
         for (which, pixels) in pixels.into_iter().enumerate() {
             for &pixel in pixels.iter().step_by(step) {
                 let ray = camera.ray(pixel + 0.5, size);
                 if let Some((shape, Some(influence))) = joint_seen_by(scene, evaluated, &ray)
                     && influence.weight >= OWN
                 {
-                    owned.entry((shape, influence.joint as usize)).or_default()[which] += 1;
+                    let joint = influence.joint as usize;
+                    counts.entry((shape, joint)).or_default()[which] += 1;
                 }
             }
         }
         Self {
             session,
             size,
-            counts: owned,
+            counts,
         }
     }
 
     /// What is known of a joint of a shape.
     pub fn of(&self, shape: ShapeId, joint: usize) -> Ownership {
-        let counts = self
-            .counts
-            .get(&(shape, joint))
-            .copied()
-            .unwrap_or_default();
+        let counts = self.counts.get(&(shape, joint));
+        let counts = counts.copied().unwrap_or_default();
         let all: usize = counts.iter().sum();
         if all >= FEWEST {
-            Ownership::Shares(counts.map(|count| count as f32 / all as f32))
+            Ownership::Off(counts[0] as f32 / all as f32)
         } else if self.counts.keys().any(|(of, _)| *of == shape) {
             Ownership::Little
         } else {

@@ -30,8 +30,8 @@ struct Told<'a> {
 }
 
 impl<'a> Told<'a> {
-    /// What is told by these shares of the mesh of the bone's joint that are off and that are right.
-    fn by_mesh(bone: &'a BoneSeen, [off, _]: [f32; 2]) -> Self {
+    /// What is told by this share of the mesh of the bone's joint that is off.
+    fn by_mesh(bone: &'a BoneSeen, off: f32) -> Self {
         Self {
             bone,
             is_off: off >= MESH_IS_OFF,
@@ -85,7 +85,7 @@ pub(super) fn turned(
         let (shape, joint) = (character.shape, bone.joint);
         let reach = AT_BONE * scale;
         match owned.of(shape, joint) {
-            Ownership::Shares(shares) => Told::by_mesh(bone, shares),
+            Ownership::Off(share) => Told::by_mesh(bone, share),
             // Where it is seen, and not hidden, the next ones may move more there.
             Ownership::Little => Told::by_line(bone, &maps, reach, |at| {
                 owned.joint_at(at, shape).is_some_and(|seen| {
