@@ -232,7 +232,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
-        let (outlined, kept) = (&mut state.outlined, &mut state.kept_parts);
+        let (outlined, kept) = (&mut state.outlined, &mut state.kept_places);
         compare::panel(
             root,
             session,

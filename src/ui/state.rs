@@ -1,7 +1,7 @@
 use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
-use super::compare::{KeptParts, Outlined};
+use super::compare::{KeptPlaces, Outlined};
 use super::context_menu::OpenMenu;
 use super::curve_panel::CurveState;
 use super::explain::ExplainState;
@@ -99,8 +99,8 @@ pub struct UiState {
     pub(super) notices: NoticeState,
     /// What is outlined in the pictures of a comparison.
     pub(super) outlined: Outlined,
-    /// Parts of the scene that differ in a comparison.
-    pub(super) kept_parts: KeptParts,
+    /// Places in which the pictures of a comparison differ.
+    pub(super) kept_places: KeptPlaces,
     /// Vertex that is marked in a comparison with the mesh of this revision.
     pub(super) marked_vertex: Option<(Revision, usize)>,
     /// What several fingers on the screen are for.
@@ -176,7 +176,7 @@ impl Default for UiState {
             methods: MethodViewState::default(),
             notices: NoticeState::default(),
             outlined: Outlined::default(),
-            kept_parts: KeptParts::default(),
+            kept_places: KeptPlaces::default(),
             marked_vertex: None,
             fingers: SeveralFingers::default(),
             camera_before_drag: None,

@@ -15,69 +15,77 @@ pub(super) struct Place {
     pub area: Area,
 }
 
-/// The parts that were found last. They stay as long as nothing changes of what they follow from: to find them takes longer
+/// The places that were found last. They stay as long as nothing changes of what they follow from: to find them takes longer
 /// than a frame should, for rays go to thousands of pixels.
 #[derive(Clone, Debug, Default)]
-pub(in crate::ui) struct KeptParts {
+pub(in crate::ui) struct KeptPlaces {
     of: Option<KeptOf>,
     places: Vec<Place>,
 }
 
-/// What parts follow from: the document, its view of so many pixels, and what differs there, of which a new one has other
+/// What places follow from: the document, its view of so many pixels, and what differs there, of which a new one has other
 /// numbers of pixels or is round another area.
 type KeptOf = (Revision, Camera, (u32, u32), Area, [usize; 3]);
 
-impl KeptParts {
+impl KeptPlaces {
+    /// The places that `find` finds from what is off in a live view of `size` pixels.
+    fn get(
+        &mut self,
+        session: &Session,
+        off: &FigureOff,
+        size: (u32, u32),
+        find: impl FnOnce() -> Vec<Place>,
+    ) -> Vec<Place> {
+        let counts = [&off.ours, &off.theirs, &off.right].map(Vec::len);
+        let camera = session.view().camera;
+        let of = (session.document(), camera, size, off.area, counts);
+        if self.of != Some(of) {
+            self.places = find();
+            self.of = Some(of);
+        }
+        self.places.clone()
+    }
+
     /// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
-    pub(super) fn of(
+    pub(super) fn of_parts(
         &mut self,
         session: &Session,
         off: &FigureOff,
         size: (u32, u32),
     ) -> Vec<Place> {
-        let counts = [&off.ours, &off.theirs, &off.right].map(Vec::len);
-        let of = (
-            session.document(),
-            session.view().camera,
-            size,
-            off.area,
-            counts,
-        );
-        if self.of != Some(of) {
-            let parts = parts(session, off, size).into_iter();
-            let places = parts.map(|part| Place {
-                told: near(&part.name, &about(part.percent)),
-                area: part.area,
-            });
-            self.places = places.collect();
-            self.of = Some(of);
-        }
-        self.places.clone()
+        self.get(session, off, size, || of_parts(session, off, size))
+    }
+
+    /// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or
+    /// else where a bone is near, or where they lie in the figure. None if there are too many.
+    pub(super) fn apart(
+        &mut self,
+        session: &Session,
+        off: &FigureOff,
+        figure: Area,
+        size: (u32, u32),
+    ) -> Vec<Place> {
+        self.get(session, off, size, || apart(session, off, figure, size))
     }
 }
 
-/// Pixels, of those that stand for what is off, up to which places apart from one another are sought.
-const MOST_PIXELS: usize = 8000;
+fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
+    let parts = parts(session, off, size).into_iter();
+    let places = parts.map(|part| Place {
+        told: near(&part.name, &about(part.percent)),
+        area: part.area,
+    });
+    places.collect()
+}
+
 /// Most places apart from one another that are told one by one, …
 const MOST_APART: usize = 4;
 /// … and how far they are apart, by the picture's height.
 const APART: f32 = 0.025;
 
-/// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or else
-/// where a bone is near, or where they lie in the figure. None if there are too many.
-pub(super) fn apart(
-    session: &Session,
-    off: &FigureOff,
-    figure: Area,
-    size: (u32, u32),
-    kept: &mut KeptParts,
-) -> Vec<Place> {
-    // Where so much is off, no parts are, and to look for some would take longer than a frame.
-    if off.ours.len() + off.theirs.len() > MOST_PIXELS {
-        return Vec::new();
-    }
+fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> Vec<Place> {
     let off = of_shapes(session, off, size);
-    let of_parts = kept.of(session, &off, size);
+    let of_parts = of_parts(session, &off, size);
     if !of_parts.is_empty() {
         return of_parts;
     }

@@ -1,7 +1,7 @@
 //! What is wrong with a picture, in words, with the places that are outlined.
 
 use super::CompareView;
-use super::apart::{KeptParts, Place, apart};
+use super::apart::{KeptPlaces, Place};
 use super::hints::{self, hints};
 use super::outlined::Outlined;
 use super::page_figure::{self, FigureTold};
@@ -22,7 +22,7 @@ pub(super) fn findings(
     session: &Session,
     compare: &CompareView,
     outlined: &mut Outlined,
-    kept: &mut KeptParts,
+    kept: &mut KeptPlaces,
 ) {
     let palette = Palette::of(ui.visuals());
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
@@ -34,7 +34,7 @@ pub(super) fn findings(
     let judgment = compare.report.judgment.as_ref();
     let apart = judgment.filter(|_| of_page.is_none()).and_then(|judged| {
         let (off, figure) = (judged.off.as_ref()?, judged.figure?);
-        Some(apart(session, off, figure, compare.size(), kept))
+        Some(kept.apart(session, off, figure, compare.size()))
     });
     let apart = apart.unwrap_or_default();
     let places = of_page.as_ref().map(|figure| &figure.places);

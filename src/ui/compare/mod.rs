@@ -24,7 +24,7 @@ mod place;
 mod settings;
 mod turned;
 
-pub(super) use apart::KeptParts;
+pub(super) use apart::KeptPlaces;
 pub(super) use mesh_marker::show as mesh_marker;
 pub(super) use mesh_panel::{MeshPanelState, show as mesh_panel};
 pub use mesh_view::{CompareMeshAction, CompareMeshView, MeshesShown};

@@ -1,6 +1,6 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
-use super::apart::{KeptParts, Place};
+use super::apart::{KeptPlaces, Place};
 use super::place::place;
 use super::{CompareView, PageFigure};
 use crate::compare::sentence;
@@ -48,7 +48,7 @@ impl FigureTold {
         session: &Session,
         compare: &CompareView,
         figure: &PageFigure,
-        kept: &mut KeptParts,
+        kept: &mut KeptPlaces,
     ) -> Self {
         let is_sure = compare.is_cut;
         let Some(off) = &figure.off else {
@@ -58,7 +58,7 @@ impl FigureTold {
                 is_sure,
             };
         };
-        let places = kept.of(session, off, compare.size());
+        let places = kept.of_parts(session, off, compare.size());
         if places.is_empty() {
             let area = off.area;
             // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.

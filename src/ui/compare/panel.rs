@@ -1,4 +1,4 @@
-use super::apart::KeptParts;
+use super::apart::KeptPlaces;
 use super::findings::findings;
 use super::outlined::Outlined;
 use super::{CompareReport, CompareView, masks};
@@ -28,7 +28,7 @@ pub(in crate::ui) fn show(
     compare: &CompareView,
     changed: &mut CompareSettings,
     outlined: &mut Outlined,
-    kept: &mut KeptParts,
+    kept: &mut KeptPlaces,
     actions: &mut Vec<Action>,
 ) {
     let look = session.view().look;

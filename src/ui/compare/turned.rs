@@ -86,11 +86,14 @@ pub(super) fn turned(
         let reach = AT_BONE * scale;
         match owned.of(shape, joint) {
             Ownership::Off(share) => Told::by_mesh(bone, share),
-            // Where it is seen, and not hidden, the next ones may move more there.
+            // What hangs on it tells more. Where it is seen, and not hidden, the one above may move more.
             Ownership::Little => Told::by_line(bone, &maps, reach, |at| {
-                owned.joint_at(at, shape).is_some_and(|seen| {
-                    seen == joint || parent(seen) == Some(joint) || parent(joint) == Some(seen)
-                })
+                let is_last = !character
+                    .bones
+                    .iter()
+                    .any(|it| parent(it.joint) == Some(joint));
+                let seen = owned.joint_at(at, shape).filter(|_| is_last);
+                seen.is_some_and(|seen| seen == joint || parent(joint) == Some(seen))
             }),
             Ownership::Unknown => Told::by_line(bone, &maps, reach, |_| true),
         }
