@@ -117,9 +117,9 @@ pub(super) fn findings(
                         links(ui, places, outlined);
                     }
                     None => {
-                        let text = match apart.len() {
-                            1 => WHERE,
-                            _ => "No single cause explains the differences.",
+                        let text = match apart.is_empty() {
+                            true => "No single cause explains the differences.",
+                            false => WHERE,
                         };
                         say(ui, text, palette.text);
                         links(ui, &apart, outlined);
