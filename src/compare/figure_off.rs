@@ -11,7 +11,7 @@ const SOLID: usize = 7;
 /// and a forearm that is turned a little is more than a hundredth.
 const LITTLE: f64 = 0.002;
 /// Pixels from one that stands for those around it to the next, …
-const APART: usize = 3;
+const APART: u32 = 3;
 /// … of figures that are larger than so many: of smaller ones each stands for itself.
 const SMALL: usize = 6000;
 /// Most pixels that stand for others, about: of still larger figures they are further apart.
@@ -57,7 +57,7 @@ impl FigureOff {
         let count = ours.len() + theirs.len() + right.len();
         let apart = match count {
             ..=SMALL => 1,
-            _ => count.div_ceil(MOST).isqrt().max(APART),
+            _ => (count.div_ceil(MOST).isqrt() as u32).max(APART),
         };
         let spread = |places: Vec<usize>| grid.spread(places, apart);
         Some(Self {
@@ -132,14 +132,10 @@ impl PixelGrid {
     }
 
     /// Those of these places that are so many pixels apart.
-    fn spread(self, places: Vec<usize>, apart: usize) -> Vec<[u32; 2]> {
+    fn spread(self, places: Vec<usize>, apart: u32) -> Vec<[u32; 2]> {
         let pixels = places.into_iter().map(|at| self.pixel(at));
         pixels
-            .filter(|pixel| {
-                pixel
-                    .iter()
-                    .all(|along| (*along as usize).is_multiple_of(apart))
-            })
+            .filter(|pixel| pixel.iter().all(|along| along % apart == 0))
             .collect()
     }
 

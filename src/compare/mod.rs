@@ -14,6 +14,7 @@ mod figure_off;
 mod filters;
 mod flip;
 mod mesh;
+mod other_background;
 mod pair;
 mod picture_comparison;
 mod place;

@@ -16,6 +16,7 @@ mod found_otherwise;
 mod job;
 mod joint_list;
 mod joint_transforms;
+mod joint_tree;
 mod made_alone;
 mod mannequin_words;
 mod measure;

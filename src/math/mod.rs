@@ -6,10 +6,12 @@ mod aabb;
 mod euler;
 mod matrix_stack;
 mod ray;
+mod segment;
 mod transform;
 
 pub use aabb::Aabb;
 pub use euler::Euler;
 pub use matrix_stack::MatrixStack;
 pub use ray::{Cylinder, DRay, Ray, TriangleHit};
+pub use segment::distance_from_segment;
 pub use transform::{Transform, cofactors};

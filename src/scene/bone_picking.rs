@@ -3,7 +3,7 @@
 use super::picking::pick_shape;
 use super::{Camera, Evaluated, EvaluatedShape, ModelDisplay, Scene, ShapeId, ShapeKind};
 use crate::character::Influence;
-use crate::math::{Cylinder, Ray};
+use crate::math::{Cylinder, Ray, distance_from_segment};
 use glam::{Vec2, Vec3};
 
 /// Half the width, in pixels, in which the line of a bone is under the pointer.
@@ -159,12 +159,8 @@ fn is_at_end([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
 
 /// Whether the line between two places in a picture, if both are seen, is drawn at `pixel`.
 fn is_on_line([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
-    let (Some(start), Some(end)) = (start, end) else {
-        return false;
-    };
-    let along = end - start;
-    let share = (pixel - start).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
-    pixel.distance(start + along * share.clamp(0.0, 1.0)) < LINE
+    let line = start.zip(end);
+    line.is_some_and(|(start, end)| distance_from_segment(pixel, [start, end]) < LINE)
 }
 
 /// The character whose mesh is seen at the end of `ray`, and the strongest influence of a joint on it there; `None` if it is no

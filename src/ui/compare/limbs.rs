@@ -4,12 +4,13 @@ use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
 use super::owned::Owned;
 use super::turned::{above, turned};
 use crate::editor::Session;
+use crate::math::distance_from_segment;
 use glam::Vec2;
 
-/// How far from its bones a limb reaches, by that scale.
-const THICK: f32 = 0.06;
 /// How much higher a picture is than the bones in it of which it is the scale: that of smaller ones is less.
 const FILLS: f32 = 2.0;
+/// How far from its bones a limb reaches, by that scale.
+const THICK: f32 = 0.06;
 
 /// A limb that differs: what a joint turns.
 pub(super) struct Limb {
@@ -55,16 +56,10 @@ impl Body {
 
     /// How far a pixel is, by how far the body reaches.
     pub fn distance(&self, pixel: Vec2) -> f32 {
-        let distances = self.lines.iter().map(|line| distance_from(*line, pixel));
+        let lines = self.lines.iter();
+        let distances = lines.map(|line| distance_from_segment(pixel, *line));
         distances.fold(f32::INFINITY, f32::min) / self.thick
     }
-}
-
-/// Distance of a pixel from the line between two.
-fn distance_from([start, end]: [Vec2; 2], pixel: Vec2) -> f32 {
-    let along = end - start;
-    let part = (pixel - start).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
-    (start + along * part.clamp(0.0, 1.0)).distance(pixel)
 }
 
 /// The scale of a character in a picture of such a height: that, or less where the character is small.

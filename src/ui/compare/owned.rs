@@ -7,10 +7,10 @@ use std::collections::HashMap;
 
 /// Most pixels that are looked at: each takes a few microseconds.
 const MOST: usize = 3000;
-/// Weight from which on a joint moves a vertex by itself: what it shares with the next one moves with that, too.
-const OWN: f32 = 0.8;
 /// Fewest of them that tell something of a joint.
 const FEWEST: usize = 5;
+/// Weight from which on a joint moves a vertex by itself: what it shares with the next one moves with that, too.
+const OWN: f32 = 0.8;
 
 /// What is known of a joint.
 pub(super) enum Ownership {

@@ -25,7 +25,7 @@ struct Told<'a> {
     /// Whether it is off, and whether it is right. Nothing is known of what is hidden, and where the figure is thin.
     is_off: bool,
     is_right: bool,
-    /// Whether more of it is off than of what is covered by something else.
+    /// Whether so much of it is off that it is hardly covered by something else alone.
     is_off_by_itself: bool,
 }
 
@@ -40,7 +40,8 @@ impl<'a> Told<'a> {
         }
     }
 
-    /// What is told along the bone's line by the nearest pixels that are off and right, of those within `reach`, where the bone `is_seen`.
+    /// What is told along the bone's line, where it `is_seen`, by the nearest pixels that are off and right, of those within
+    /// `reach`.
     fn by_line(
         bone: &'a BoneSeen,
         [off, right]: &[PixelMap; 2],
@@ -66,6 +67,15 @@ impl<'a> Told<'a> {
         }
     }
 
+    fn nothing(bone: &'a BoneSeen) -> Self {
+        Self {
+            bone,
+            is_off: false,
+            is_right: false,
+            is_off_by_itself: false,
+        }
+    }
+
     fn is_known(&self) -> bool {
         self.is_off || self.is_right
     }
@@ -80,21 +90,23 @@ pub(super) fn turned(
     (size, scale): (Vec2, f32),
 ) -> (Vec<bool>, bool) {
     let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
+    let reach = AT_BONE * scale;
     let parent = |joint: usize| character.joints[joint].parent;
+    let is_last = |joint: usize| {
+        let mut bones = character.bones.iter();
+        !bones.any(|bone| parent(bone.joint) == Some(joint))
+    };
     let told = character.bones.iter().map(|bone| {
         let (shape, joint) = (character.shape, bone.joint);
-        let reach = AT_BONE * scale;
         match owned.of(shape, joint) {
             Ownership::Off(share) => Told::by_mesh(bone, share),
-            // What hangs on it tells more. Where it is seen, and not hidden, the one above may move more.
-            Ownership::Little => Told::by_line(bone, &maps, reach, |at| {
-                let is_last = !character
-                    .bones
-                    .iter()
-                    .any(|it| parent(it.joint) == Some(joint));
-                let seen = owned.joint_at(at, shape).filter(|_| is_last);
+            // Where it is seen, and not hidden, the one above may move more.
+            Ownership::Little if is_last(joint) => Told::by_line(bone, &maps, reach, |at| {
+                let seen = owned.joint_at(at, shape);
                 seen.is_some_and(|seen| seen == joint || parent(joint) == Some(seen))
             }),
+            // What hangs on it tells more.
+            Ownership::Little => Told::nothing(bone),
             Ownership::Unknown => Told::by_line(bone, &maps, reach, |_| true),
         }
     });
@@ -119,8 +131,8 @@ fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
         let right = below.iter().filter(|told| told.is_right).count();
         // The first ones that something is known of on the way down.
         let is_next = |told: &&&Told| {
-            let mut between = above(character, told.bone.joint).skip(1);
-            told.is_known() && !between.by_ref().take_while(|it| *it != joint).any(is_known)
+            let above = above(character, told.bone.joint).skip(1);
+            told.is_known() && !above.take_while(|it| *it != joint).any(is_known)
         };
         let next: Vec<&&Told> = below.iter().filter(is_next).collect();
         let is_off = if is_known(joint) {
