@@ -11,6 +11,8 @@ pub enum AnglesOf {
     After(Shifted, AngleAtEnd),
     /// Itself, but roots have none.
     ItselfButRoots,
+    /// Itself, but only roots have any.
+    RootsAlone,
     /// Its parent; roots have none.
     Parent,
 }
@@ -41,6 +43,7 @@ impl AnglesOf {
         let (shifted, at_end) = match self {
             Self::Itself => return Some(joint),
             Self::ItselfButRoots => return parent.map(|_| joint),
+            Self::RootsAlone => return parent.is_none().then_some(joint),
             Self::Parent => return parent,
             Self::Before(shifted, at_end) | Self::After(shifted, at_end) => (shifted, at_end),
         };

@@ -214,7 +214,7 @@ impl Diagnosis {
             found.push(format!("all but {} of its vertices are right", self.off));
         }
         found.extend(self.not_reached.as_ref().map(|left| {
-            format!("the vertices {left}, as where the loop over them does not come to all")
+            format!("the vertices {left}, as where the loop over them does not come to all, or some have no weights")
         }));
         found
     }

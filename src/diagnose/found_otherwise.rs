@@ -49,7 +49,18 @@ pub static VERTICES_NOT_REACHED: Mistake = Mistake {
     id: "vertices-not-reached",
     meaning: "the loop over the vertices does not come to all of them, so that the others stay where they were",
     section: SSD,
-    look_at: "updateMeshVertices: the loop over the vertices goes from the first one, 0, to the last",
+    look_at: "updateMeshVertices: the loop over the vertices goes from the first one, 0, to the last; of vertices at the \
+              origin also where the .attach file is read, which has a row of weights for each",
+    readings: &[],
+};
+
+/// A mistake in which vertices have weights, which those in between show together.
+pub static VERTICES_WITHOUT_WEIGHTS: Mistake = Mistake {
+    id: "vertices-without-weights",
+    meaning: "the sum for some vertices is of nothing, as where they have no weights, so that they are at the origin",
+    section: SSD,
+    look_at: "where the .attach file is read: it has a row of weights for each vertex, none of which is skipped; then the \
+              sum in updateMeshVertices",
     readings: &[],
 };
 
@@ -231,12 +242,13 @@ fn scale_angles(formula: &mut Formula, pi: f64) {
 }
 
 /// All of them.
-pub(super) static FOUND_OTHERWISE: [&Mistake; 19] = [
+pub(super) static FOUND_OTHERWISE: [&Mistake; 20] = [
     &TRIANGLES_TURNED,
     &TRIANGLES_DIFFER,
     &VERTEX_TOO_MANY,
     &VERTEX_MISSING,
     &VERTICES_NOT_REACHED,
+    &VERTICES_WITHOUT_WEIGHTS,
     &ONE_WRONG_PARENT,
     &ONE_WRONG_OFFSET,
     &WEIGHTS_EXCHANGED,

@@ -55,7 +55,14 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
         ],
         Some(JOINTS),
     ),
-    (&["weight-rows-shifted", "weight-rows-drift"], Some(ROWS)),
+    (
+        &[
+            "weight-rows-shifted",
+            "weight-rows-drift",
+            "vertices-without-weights",
+        ],
+        Some(ROWS),
+    ),
     (
         &[
             "no-inverse-bind",
@@ -70,7 +77,10 @@ const LOOK_AT: &[(&[&str], Option<&str>)] = &[
     ),
     (&["inverse-bind-shared"], Some(OWN_FRAMES)),
     (&["matrix-transposed"], Some(TRANSPOSED)),
-    (&["pose-not-applied", "joint-not-turned"], Some(POSE)),
+    (
+        &["pose-not-applied", "joint-not-turned", "only-root-turned"],
+        Some(POSE),
+    ),
     (
         &[
             "rotation-before-translation",

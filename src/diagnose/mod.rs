@@ -67,7 +67,7 @@ pub use formula::{
 };
 pub use found_otherwise::{
     ANGLES_KEPT, BIND_OF_OTHER_POSE, JOINT_NOT_TURNED, POSE_LATE, SUM_NOT_RESET,
-    VERTICES_NOT_REACHED,
+    VERTICES_NOT_REACHED, VERTICES_WITHOUT_WEIGHTS,
 };
 pub use job::MeshJob;
 pub use mannequin_words::ToldFor;

@@ -1,9 +1,10 @@
-//! Vertices that a program's loop does not come to, so that they stay where they were.
+//! Vertices that a program's loop does not come to, so that they stay where they were, or that have no weights there.
 
 use super::diagnose_vertices;
 use super::diagnosis::{Diagnosis, ToldMistake, Verdict};
 use super::findings::{Findings, share_right};
-use super::found_otherwise::VERTICES_NOT_REACHED;
+use super::found_otherwise::{VERTICES_NOT_REACHED, VERTICES_WITHOUT_WEIGHTS};
+use super::mistake::Mistake;
 use super::model::Model;
 use super::nearest::NEARLY_ALL;
 use super::not_turned::Lacking;
@@ -12,18 +13,50 @@ use super::vertex_count::with_vertices;
 use crate::character::Pose;
 use crate::steps::Pace;
 use glam::{DVec3, Vec3};
-use std::ops::Range;
 
-/// Vertices at one end of the mesh that are at rest or at the origin, though some of them should not be.
+/// Vertices that are at rest or at the origin, though some of them should not be.
 pub(super) struct NotReached {
-    left: Range<usize>,
-    all: usize,
+    /// Whether each vertex is one of them.
+    is_left: Vec<bool>,
+    /// What leaves them there.
+    mistake: &'static Mistake,
     /// Which they are and where, in words.
     pub(super) told: String,
 }
 
-/// Those of a mesh, of which there are none where all of it is at rest.
-pub(super) fn find(findings: &Findings<'_>) -> Option<NotReached> {
+/// Those of a mesh that may be left, of which there are none where all of it is: at one end those that no loop comes to, and
+/// then all that are at the origin, as what has no weights is.
+pub(super) fn find(findings: &Findings<'_>) -> impl Iterator<Item = NotReached> {
+    let all = findings.theirs.len();
+    let at_end = at_one_end(findings);
+    let at_origin = |index: usize| findings.theirs[index].length() <= findings.tolerance;
+    let is_left: Vec<bool> = (0..all)
+        .map(|index| at_origin(index) && findings.is_off(index))
+        .collect();
+    let left = || (0..all).filter(|&index| is_left[index]);
+    let is_same = at_end
+        .as_ref()
+        .is_some_and(|end| left().all(|index| end.is_left[index]));
+    let count = left().count();
+    let ends = left().next().zip(left().next_back());
+    let anywhere = ends
+        .filter(|_| !is_same && count < all)
+        .map(|(first, last)| {
+            let in_all = match count == last - first + 1 {
+                true => String::new(),
+                false => format!(", {count} in all"),
+            };
+            NotReached {
+                told: format!("from {first} to {last}, counted from 0{in_all}, are at the origin"),
+                mistake: &VERTICES_WITHOUT_WEIGHTS,
+                is_left,
+            }
+        });
+    at_end.into_iter().chain(anywhere)
+}
+
+/// Those at one end of a mesh.
+fn at_one_end(findings: &Findings<'_>) -> Option<NotReached> {
     let all = findings.theirs.len();
     let rest = |index: usize| findings.at_rest(index);
     let places: [(&dyn Fn(usize) -> DVec3, &str); 2] =
@@ -43,25 +76,34 @@ pub(super) fn find(findings: &Findings<'_>) -> Option<NotReached> {
             .flatten()
             .find(|(left, _)| left.len() < all)?;
         Some(NotReached {
-            left,
-            all,
+            is_left: (0..all).map(|index| left.contains(&index)).collect(),
+            mistake: &VERTICES_NOT_REACHED,
             told: format!("{which}, counted from 0, are {told}"),
         })
     })
 }
 
 impl NotReached {
+    /// How many there are.
+    fn count(&self) -> usize {
+        self.is_left.iter().filter(|is_left| **is_left).count()
+    }
+
+    /// The other vertices.
+    fn others(&self) -> Vec<usize> {
+        let all = 0..self.is_left.len();
+        all.filter(|&index| !self.is_left[index]).collect()
+    }
+
     /// Whether all vertices of the mesh that are off are among them.
     pub(super) fn are_all_off(&self, findings: &Findings<'_>) -> bool {
-        let is_off = |index: &usize| findings.is_off(*index);
-        (0..self.all)
-            .filter(is_off)
-            .all(|index| self.left.contains(&index))
+        let others = self.others();
+        !others.iter().any(|&index| findings.is_off(index))
     }
 
     /// Whether they are so few that the mesh is nearly what the others say.
     pub(super) fn are_few(&self) -> bool {
-        self.left.len() as f64 <= (1.0 - NEARLY_ALL) * self.all as f64
+        self.count() as f64 <= (1.0 - NEARLY_ALL) * self.is_left.len() as f64
     }
 
     /// The diagnosis of the mesh of `search` if the others are right, but for a joint that is not turned.
@@ -72,20 +114,19 @@ impl NotReached {
         pace: &Pace,
     ) -> Option<Diagnosis> {
         let lacking = Lacking::new(search)?;
-        let others = lacking.giving(|index| !self.left.contains(&index), pace);
-        let others = others.await;
+        let others = lacking.giving(|index| !self.is_left[index], pace).await;
         let explained = (!others.is_empty()).then(|| findings.explained(&others))?;
         Some(self.beside(explained))
     }
 
-    /// What else gives the mesh, beside that the loop does not come to these.
+    /// What else gives the mesh, beside what leaves these.
     fn beside(&self, others: Diagnosis) -> Diagnosis {
         let both = others.beside(ToldMistake {
             how: format!("those {}", self.told).into(),
-            ..ToldMistake::whole(&VERTICES_NOT_REACHED)
+            ..ToldMistake::whole(self.mistake)
         });
         Diagnosis {
-            reached: share_right(self.left.len(), self.all),
+            reached: share_right(self.count(), self.is_left.len()),
             ..both
         }
     }
@@ -97,13 +138,12 @@ impl NotReached {
         pose: &Pose,
         pace: &Pace,
     ) -> Option<Diagnosis> {
-        let reached = match self.left.start {
-            0 => self.left.end..self.all,
-            start => 0..start,
-        };
-        let lacking = with_vertices(findings.model.character, reached.clone())?;
-        let theirs = findings.theirs[reached.clone()].iter();
-        let theirs: Vec<Vec3> = theirs.map(|place| place.as_vec3()).collect();
+        let reached = self.others();
+        let lacking = with_vertices(findings.model.character, &reached)?;
+        let theirs = reached
+            .iter()
+            .map(|&index| findings.theirs[index].as_vec3());
+        let theirs: Vec<Vec3> = theirs.collect();
         let model = Model::new(&lacking);
         let others = Box::pin(diagnose_vertices(&model, pose, &theirs, pace)).await;
         let others = others
@@ -111,7 +151,7 @@ impl NotReached {
             .filter(|others| matches!(others.verdict, Verdict::Right | Verdict::Explained))?;
         let whole = findings.diagnosis(Verdict::Explained);
         let first = others.first.map(|mut first| {
-            first.vertex += reached.start;
+            first.vertex = reached[first.vertex];
             first
         });
         let explained = Diagnosis {

@@ -1,6 +1,6 @@
 //! Mistakes of a whole program with the angles of joints, and in how often they count.
 
-use super::formula::{AngleAtEnd, AnglesOf, Rotations, RoundedAngles, Shifted};
+use super::formula::{AngleAtEnd, AnglesOf, Formula, Rotations, RoundedAngles, Shifted};
 use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
 /// The ways to use angles about other axes: those that are used about X, Y and Z, 0 for that about X.
@@ -149,6 +149,38 @@ pub(super) static ROOT_ANGLES_MISSING: Mistake = Mistake {
         ),
     ],
 };
+
+/// A mistake at all other joints.
+pub(super) static ONLY_ROOT_TURNED: Mistake = Mistake {
+    id: "only-root-turned",
+    meaning: "only the root is turned: the joints below it follow it, but have no angles of their own",
+    section: SLIDERS,
+    look_at: "setJointTransform and the loop over the joints that calls it: every joint has its own angles; and the \
+              recursion, which multiplies on each joint's own transform as it is in the pose",
+    readings: &[reading("", |formula| {
+        formula.joint.angles_of = AnglesOf::RootsAlone;
+    })],
+};
+
+/// A mistake with the rotations about the axes, as of `R = Rx; R = Ry; R = Rz`, of which the last is left.
+pub(super) static ONLY_ONE_AXIS: Mistake = Mistake {
+    id: "only-one-axis",
+    meaning: "the angle about one axis alone is used",
+    section: SLIDERS,
+    look_at: "setJointTransform: the three rotations are multiplied, and none overwrites those before it",
+    readings: &[
+        reading("that about z", |formula| turn_about_alone(2, formula)),
+        reading("that about y", |formula| turn_about_alone(1, formula)),
+        reading("that about x", |formula| turn_about_alone(0, formula)),
+    ],
+};
+
+fn turn_about_alone(axis: usize, formula: &mut Formula) {
+    let others = formula.joint.angles.iter_mut().enumerate();
+    for (_, factor) in others.filter(|(other, _)| *other != axis) {
+        *factor *= 0.0;
+    }
+}
 
 /// A mistake in how often rotations are made.
 pub(super) static ROTATION_REPEATED: Mistake = Mistake {

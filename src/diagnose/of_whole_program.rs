@@ -5,7 +5,7 @@ use super::formula::{AnglesOf, Chain, LeftOnStack, Offsets, Parents, Popped, Rea
 use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
 use super::of_angles::{
     ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_ROUNDED, ANGLES_SHIFTED, CURRENT_ROTATION_TRANSPOSED,
-    QUATERNION_ORDER, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
+    ONLY_ONE_AXIS, ONLY_ROOT_TURNED, QUATERNION_ORDER, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
 };
 use super::of_collada::{
     ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING, SKIN_LIST_IGNORED,
@@ -362,13 +362,14 @@ static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 40] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 42] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
     &SKIN_LIST_IGNORED,
     &ROOT_ROTATED_FIRST,
     &ROOT_ANGLES_MISSING,
+    &ONLY_ROOT_TURNED,
     &ROOT_NOT_MOVED,
     &STACK_NOT_POPPED,
     &JOINTS_NOT_REACHED,
@@ -402,5 +403,6 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 40] = [
     &ROTATION_REPEATED,
     &CURRENT_ROTATION_TRANSPOSED,
     &QUATERNION_ORDER,
+    &ONLY_ONE_AXIS,
     &ANGLE_REPEATED,
 ];

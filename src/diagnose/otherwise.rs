@@ -53,17 +53,17 @@ pub(super) async fn find(
     }
     let mut few_left = None;
     if order == VertexOrder::File {
-        if let Some(left) = not_reached::find(findings) {
+        for left in not_reached::find(findings) {
             if left.are_few() {
-                few_left = Some(left);
-            } else {
-                let explained = match left.explained(findings, pose, pace).await {
-                    None => left.beside_joint(search, findings, pace).await,
-                    explained => explained,
-                };
-                if let Some(explained) = explained {
-                    return explained;
-                }
+                few_left.get_or_insert(left);
+                continue;
+            }
+            let explained = match left.explained(findings, pose, pace).await {
+                None => left.beside_joint(search, findings, pace).await,
+                explained => explained,
+            };
+            if let Some(explained) = explained {
+                return explained;
             }
         }
         let reordered = any_order::beside_mistakes(search, pace).await;
@@ -73,7 +73,7 @@ pub(super) async fn find(
     }
     alone.extend(search.near_whole_program(pace).await);
     found.nearest = nearest::find(search, order, &alone, pace).await;
-    // Of a mesh that is off elsewhere, too, an end that is at rest says nothing.
+    // Of a mesh that is off elsewhere, too, what is at rest or at the origin says nothing.
     let is_told = |left: &NotReached| match found.nearly_right() {
         Some(NearlyRight::ButForFew) => left.are_all_off(findings),
         nearly => matches!(nearly, Some(NearlyRight::ButForFewWith(_))),

@@ -60,7 +60,7 @@ impl Miscount {
             Self::WithoutLast => 0..last,
             Self::WithoutFirst => 1..last + 1,
         };
-        with_vertices(character, kept)
+        with_vertices(character, &kept.collect::<Vec<usize>>())
     }
 
     /// The diagnosis of a mesh with it, from that of the others: where these are known to be right or what a mistake
@@ -88,18 +88,21 @@ impl Miscount {
     }
 }
 
-/// The character with these vertices alone, and the triangles between them; `None` if that is none.
-pub(super) fn with_vertices(character: &Character, kept: Range<usize>) -> Option<Character> {
+/// The character with these vertices alone, in this order, and the triangles between them; `None` if that is none.
+pub(super) fn with_vertices(character: &Character, kept: &[usize]) -> Option<Character> {
     let bind = character.bind_mesh();
+    let mut number = vec![None; bind.positions.len()];
+    for (index, &vertex) in (0_u32..).zip(kept) {
+        number[vertex] = Some(index);
+    }
     let triangles = bind.triangles.iter().filter_map(|corners| {
-        let is_kept = corners
-            .iter()
-            .all(|&corner| kept.contains(&(corner as usize)));
-        is_kept.then(|| corners.map(|corner| corner - kept.start as u32))
+        let [a, b, c] = corners.map(|corner| number[corner as usize]);
+        Some([a?, b?, c?])
     });
-    let mesh = Mesh::new(bind.positions[kept.clone()].to_vec(), triangles.collect());
+    let positions = kept.iter().map(|&vertex| bind.positions[vertex]);
+    let mesh = Mesh::new(positions.collect(), triangles.collect());
     let mut attachments = Attachments::new();
-    for vertex in kept {
+    for &vertex in kept {
         let influences = character.attachments().of_vertex(vertex);
         attachments.push_vertex(influences.iter().copied());
     }

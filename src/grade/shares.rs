@@ -5,6 +5,7 @@ use super::graded::{Graded, Outcome};
 use crate::diagnose::{
     MESH_MIRRORED, MOVED_AS_A_WHOLE, PICTURE_TURNED, POSE_NOT_APPLIED, TRIANGLES_DIFFER,
     TRIANGLES_TURNED, UNSEEN, VERTEX_MISSING, VERTEX_TOO_MANY, VERTICES_NOT_REACHED,
+    VERTICES_WITHOUT_WEIGHTS,
 };
 use crate::io::{
     OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_LITTLE, RubricData,
@@ -78,8 +79,8 @@ pub(super) fn share_and_reason(
     let known = by_little.find(|(known, _)| *known == id);
     let usual = match known {
         Some((_, share)) => *share,
-        // Those that a loop does not come to may be few.
-        None if id == VERTICES_NOT_REACHED.id => {
+        // Those that a loop does not come to, or that have no weights, may be few.
+        None if [VERTICES_NOT_REACHED.id, VERTICES_WITHOUT_WEIGHTS.id].contains(&id) => {
             let few = share_left(RIGHT_BUT_FOR_FEW, graded, rubric);
             by_nearly_all(rubric.mistake.0, few, graded.near).max(rubric.mistake.0)
         }

@@ -59,7 +59,7 @@ one-axis-ignored-x, one-axis-ignored-y, sign-flipped-x, sign-flipped-y, \
 root-rotated-before-translation, root-angles-missing, stack-not-popped, parents-misread, root-translation-missing, \
 root-transform-missing, root-transform-repeated, sum-overwritten, angles-exchanged, influences-cut-fewer, sum-divided, \
 small-weights-left-out, above-parents-missing, parents-rotations-missing, parent-rotation-order, offset-not-turned, turns-order, inverse-bind-shared, \
-angle-repeated: with these mistakes, made in the usual way, it would be the same here
+only-one-axis, angle-repeated: with these mistakes, made in the usual way, it would be the same here
 ";
         assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(0), told, WARNING));
     }

@@ -500,6 +500,69 @@ fn vertices_that_a_loop_does_not_come_to_are_told_with_where_it_ends() {
 }
 
 #[test]
+fn vertices_at_the_origin_are_told_as_those_without_weights_wherever_they_are() {
+    let figure = adult();
+    let right = RIGHT.skin(&figure);
+    let without = |meshes: &[Vec3], left: &mut dyn Iterator<Item = usize>| {
+        let mut theirs = meshes.to_vec();
+        left.for_each(|index| theirs[index] = Vec3::ZERO);
+        figure.diagnose(&written(&theirs, 6))
+    };
+    let half = right.len() / 2;
+    let thirds = (1..right.len()).step_by(3);
+    for (found, how) in [
+        (
+            without(&right, &mut (half..half + 500)),
+            format!(
+                "those from {half} to {}, counted from 0, are at the origin",
+                half + 499
+            ),
+        ),
+        (
+            without(&right, &mut thirds.clone()),
+            format!(
+                "those from 1 to {}, counted from 0, {} in all, are at the origin",
+                thirds.clone().last().unwrap(),
+                thirds.len()
+            ),
+        ),
+    ] {
+        assert_eq!(found.together(), ["vertices-without-weights"], "{found}");
+        assert_eq!(found.mistakes[0].how, how);
+        assert!(found.error < 1e-5 && found.same_as.is_empty(), "{found}");
+    }
+    let share = 1.0 - thirds.len() as f64 / right.len() as f64;
+    let found = without(&right, &mut thirds.clone());
+    assert!((found.reached - share).abs() < 1e-12, "{}", found.reached);
+    // Beside another mistake as well.
+    let zyx = with(&["euler-zyx"]).skin(&figure);
+    let found = without(&zyx, &mut (half..half + 500));
+    assert_eq!(
+        found.together(),
+        ["euler-zyx", "vertices-without-weights"],
+        "{found}"
+    );
+    assert!(
+        found
+            .first
+            .as_ref()
+            .is_some_and(|first| first.theirs != [0.0; 3])
+    );
+    // A few are told beside what is nearly right.
+    let found = without(&right, &mut (half..half + 2));
+    assert_eq!(
+        found.nearly_right(),
+        Some(NearlyRight::ButForFew),
+        "{found}"
+    );
+    let left = format!(
+        "from {half} to {}, counted from 0, are at the origin",
+        half + 1
+    );
+    assert_eq!(found.not_reached.as_ref(), Some(&left));
+}
+
+#[test]
 fn a_mistake_is_named_beside_vertices_in_any_order() {
     for figure in [adult(), Figure::posed("adult", "adult-walk")] {
         for (id, student) in [

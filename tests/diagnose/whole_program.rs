@@ -480,6 +480,56 @@ fn a_root_that_is_not_turned_is_named_however_far_the_pose_turns_it() {
 }
 
 #[test]
+fn a_root_that_alone_is_turned_is_one_mistake_also_beside_another() {
+    for degrees in [5.0, 40.0] {
+        let root = Vec3::new(0.5, 1.0, 0.2) * degrees;
+        let other = turned(69);
+        let figure = Figure::builtin("adult", move |joint| match joint {
+            0 => root,
+            joint => other(joint),
+        });
+        let alone = Figure::builtin("adult", move |joint| match joint {
+            0 => root,
+            _ => Vec3::ZERO,
+        });
+        let found = figure.diagnose(&written(&RIGHT.skin(&alone), 6));
+        assert_named(&found, "only-root-turned", "");
+        assert_eq!(found.causes, ["only-root-turned"], "{found}");
+        assert_eq!(found.mistakes[0].section, "3.4 Sliders");
+        let zyx = with(&["euler-zyx"]);
+        let found = figure.diagnose(&written(&zyx.skin(&alone), 6));
+        assert_eq!(sorted(&found), ["euler-zyx", "only-root-turned"], "{found}");
+    }
+}
+
+#[test]
+fn a_rotation_that_overwrites_those_before_it_is_one_mistake_also_beside_another() {
+    let figure = Figure::builtin("adult", turned(92));
+    let about: [(&str, fn(Mat4, Mat4, Mat4) -> Mat4); 3] = [
+        ("that about z", |_, _, z| z),
+        ("that about y", |_, y, _| y),
+        ("that about x", |x, _, _| x),
+    ];
+    for (how, rotation) in about {
+        let student = Student { rotation, ..RIGHT };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_named(&found, "only-one-axis", how);
+        assert_eq!(found.causes, ["only-one-axis"], "{found}");
+        assert_eq!(found.mistakes[0].section, "3.4 Sliders");
+        let student = Student {
+            rotation,
+            ..with(&["parent-missing"])
+        };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_eq!(
+            sorted(&found),
+            ["only-one-axis", "parent-missing"],
+            "{found}"
+        );
+    }
+}
+
+#[test]
 fn offsets_that_are_taken_for_places_are_named_also_beside_a_common_mistake() {
     let figure = Figure::builtin("adult", turned(91));
     let mut misread = Figure::builtin("adult", turned(91));
