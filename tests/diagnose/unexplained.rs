@@ -522,7 +522,7 @@ fn vertices_at_the_origin_are_told_as_those_without_weights_wherever_they_are() 
             without(&right, &mut thirds.clone()),
             format!(
                 "those from 1 to {}, counted from 0, {} in all, are at the origin",
-                thirds.clone().last().unwrap(),
+                thirds.clone().next_back().unwrap(),
                 thirds.len()
             ),
         ),
