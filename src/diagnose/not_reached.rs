@@ -24,8 +24,11 @@ pub(super) struct NotReached {
     pub(super) told: String,
 }
 
+/// What leaves vertices there.
+const LEAVING: [&Mistake; 2] = [&VERTICES_NOT_REACHED, &VERTICES_WITHOUT_WEIGHTS];
+
 /// Those of a mesh that may be left, of which there are none where all of it is: at one end those that no loop comes to, and
-/// then all that are at the origin, as what has no weights is.
+/// then all that are at the origin, as what has no weights is. Where most are, much else can be behind it.
 pub(super) fn find(findings: &Findings<'_>) -> impl Iterator<Item = NotReached> {
     let all = findings.theirs.len();
     let at_end = at_one_end(findings);
@@ -40,7 +43,7 @@ pub(super) fn find(findings: &Findings<'_>) -> impl Iterator<Item = NotReached> 
     let count = left().count();
     let ends = left().next().zip(left().next_back());
     let anywhere = ends
-        .filter(|_| !is_same && count < all)
+        .filter(|_| !is_same && 2 * count <= all)
         .map(|(first, last)| {
             let in_all = match count == last - first + 1 {
                 true => String::new(),
@@ -146,9 +149,11 @@ impl NotReached {
         let theirs: Vec<Vec3> = theirs.collect();
         let model = Model::new(&lacking);
         let others = Box::pin(diagnose_vertices(&model, pose, &theirs, pace)).await;
-        let others = others
-            .ok()
-            .filter(|others| matches!(others.verdict, Verdict::Right | Verdict::Explained))?;
+        let leaves_others = |told: &ToldMistake| LEAVING.iter().any(|known| known.id == told.id);
+        let others = others.ok().filter(|others| {
+            matches!(others.verdict, Verdict::Right | Verdict::Explained)
+                && !others.mistakes.iter().any(leaves_others)
+        })?;
         let whole = findings.diagnosis(Verdict::Explained);
         let first = others.first.map(|mut first| {
             first.vertex = reached[first.vertex];

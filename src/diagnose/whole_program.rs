@@ -5,7 +5,7 @@ use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
 use super::mistake::Mistake;
-use super::of_angles::{ANGLE_REPEATED, ROTATION_REPEATED};
+use super::of_angles::{ANGLE_REPEATED, ONLY_ONE_AXIS, ROTATION_REPEATED};
 use super::of_weighted_sum::LAST_RESULT_SKINNED;
 use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::search::{AT_ONCE, Explanation, Search};
@@ -39,7 +39,8 @@ pub(super) async fn find(
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
     for mistake in OF_WHOLE_PROGRAM.into_iter().chain([&SUM_NOT_RESET]) {
-        if std::ptr::eq(mistake, &raw const ANGLE_REPEATED) && !found.is_empty() {
+        let is_last = [ANGLE_REPEATED.id, ONLY_ONE_AXIS.id].contains(&mistake.id);
+        if is_last && !found.is_empty() {
             continue;
         }
         found.extend(made_by(mistake, alone, |_| true, pace).await);

@@ -1,7 +1,9 @@
 //! Bones under the pointer.
 
 use super::picking::pick_shape;
-use super::{Camera, Evaluated, EvaluatedShape, ModelDisplay, Scene, ShapeId, ShapeKind};
+use super::{
+    Camera, CharacterShape, Evaluated, EvaluatedShape, ModelDisplay, Scene, ShapeId, ShapeKind,
+};
 use crate::character::Influence;
 use crate::math::{Cylinder, Ray, distance_from_segment};
 use glam::{Vec2, Vec3};
@@ -114,7 +116,7 @@ pub fn pick_bone(
     if hits.iter().all(|(hit, _)| is_first(hit)) {
         return Some(first);
     }
-    let Some((shape, joint)) = joint_seen_by(scene, evaluated, &ray) else {
+    let Some(Seen::Mesh(shape, joint)) = seen_by(scene, evaluated, &ray) else {
         return Some(first);
     };
     hits.retain(|(hit, _)| hit.shape == shape);
@@ -163,32 +165,37 @@ fn is_on_line([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
     line.is_some_and(|(start, end)| distance_from_segment(pixel, [start, end]) < LINE)
 }
 
-/// The character whose mesh is seen at the end of `ray`, and the strongest influence of a joint on it there; `None` if it is no
-/// character, or one of which the skeleton is seen.
-pub fn joint_seen_by(
-    scene: &Scene,
-    evaluated: &Evaluated,
-    ray: &Ray,
-) -> Option<(ShapeId, Option<Influence>)> {
+/// What is seen at the end of a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Seen {
+    /// The mesh of a character, and the strongest influence of a joint on it there.
+    Mesh(ShapeId, Option<Influence>),
+    /// A shape without bones, or a character of which the skeleton is seen.
+    Other(ShapeId),
+}
+
+/// What is seen at the end of `ray`; `None` if that is nothing, and where a shape is too large to find it in time.
+pub fn seen_by(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<Seen> {
     let are_large = |shape: &EvaluatedShape| shape.geometry.mesh.triangles.len() > LARGEST;
     if evaluated.shapes.iter().any(are_large) {
         return None;
     }
     let (id, _) = pick_shape(evaluated, ray)?;
-    let character = scene.character(id)?;
-    if character.display.mode == ModelDisplay::Skeleton {
-        return None;
-    }
+    let character = scene.character(id);
+    let shows_mesh = |character: &&CharacterShape| character.display.mode != ModelDisplay::Skeleton;
+    let Some(character) = character.filter(shows_mesh) else {
+        return Some(Seen::Other(id));
+    };
     let shape = evaluated.shape(id)?;
     let ray = ray.transformed(shape.world_from_model.inverse());
     let vertex = shape.geometry.nearest_vertex(&ray)?;
     let attachments = character.character.attachments();
     if vertex >= attachments.vertex_count() {
-        return Some((id, None));
+        return Some(Seen::Mesh(id, None));
     }
     let influences = attachments.of_vertex(vertex).iter();
     let strongest = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
-    Some((id, strongest.copied()))
+    Some(Seen::Mesh(id, strongest.copied()))
 }
 
 #[cfg(test)]

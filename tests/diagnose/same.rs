@@ -43,6 +43,7 @@ fn mistakes_that_a_pose_does_not_tell_apart_are_all_named_the_most_telling_first
         [
             ["pose-not-applied"],
             ["one-axis-ignored-z"],
+            ["only-root-turned"],
             ["joints-not-reached"],
             ["own-transform-missing"],
             ["rotation-of-children-only"]

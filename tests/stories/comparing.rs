@@ -10,7 +10,7 @@ use editor_core::geometry::Picture;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
-use editor_core::scene::{Camera, Look};
+use editor_core::scene::{Camera, Look, ShapeColor};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings, course_panels};
 use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
@@ -147,8 +147,17 @@ fn what_is_off_is_near_the_joint_that_was_turned() {
 
 /// The places that are told, each before its share of the figure.
 fn places(story: &Story) -> Vec<String> {
+    told_before_shares(story, "Near ")
+}
+
+/// The characters that are told as a whole.
+fn whole(story: &Story) -> Vec<String> {
+    told_before_shares(story, "All of ")
+}
+
+fn told_before_shares(story: &Story, begin: &str) -> Vec<String> {
     let texts = texts(story);
-    let places = texts.iter().filter_map(|text| text.strip_prefix("Near "));
+    let places = texts.iter().filter_map(|text| text.strip_prefix(begin));
     let places = places.map(|text| text.split_once(", in").unwrap().0.to_owned());
     places.collect()
 }
@@ -255,6 +264,83 @@ fn a_limb_is_told_whatever_is_before_it_or_was() {
         assert_eq!(told, ["Right leg"]);
         let told = told_of(look, &[hand, ("Right leg", -30.0, 0.0)]);
         assert_eq!(told, ["Right leg"]);
+    }
+}
+
+/// An adult beside two other shapes in a look, compared with a picture of it.
+fn adult_beside_shapes(look: Look) -> Story {
+    let mut story = Story::start(&["builtin:adult", "builtin:goblet", "builtin:gem"]);
+    story.size = (1000, 1300);
+    let seen = vec![Action::View(View::SetLook(look))];
+    story.program.carry_out(seen, &mut story.host);
+    story.settle();
+    story.click("[1] Adult (ID: 1)");
+    compare_with_itself(&mut story, (640, 480));
+    judge(&mut story);
+    story
+}
+
+#[test]
+fn a_character_that_is_moved_turned_or_scaled_is_told_as_a_whole_beside_what_stands_still() {
+    let limbs = [
+        ("Left leg", "20"),
+        ("Left shoulder", "25"),
+        ("Neck", "25"),
+        ("Right leg", "-20"),
+        ("Right shoulder", "-25"),
+    ];
+    for look in [Look::Course, Look::Studio] {
+        for (field, value) in [
+            ("Position X", "0.05"),
+            ("Position Z", "0.3"),
+            ("Rotation Y", "60"),
+            ("Uniform Scale", "1.15"),
+            ("Root Y", "60"),
+        ] {
+            let mut story = adult_beside_shapes(look);
+            story.type_into(field, value);
+            judge(&mut story);
+            let texts = texts(&story);
+            assert_eq!(whole(&story), ["Adult"], "{look:?} {field}: {texts:?}");
+            assert_eq!(places(&story), [""; 0], "{look:?} {field}: {texts:?}");
+            // Nor is a camera to blame where other shapes stand still.
+            let is_of_camera = |text: &String| text.contains("camera that the course's program");
+            assert!(!texts.iter().any(is_of_camera), "{texts:?}");
+        }
+        // A figure all limbs of which are turned stands where it was.
+        let mut story = adult_beside_shapes(look);
+        for (joint, degrees) in limbs {
+            story.type_into(&format!("{joint} Z"), degrees);
+        }
+        judge(&mut story);
+        let mut told = places(&story);
+        told.sort_unstable();
+        assert_eq!(told, limbs.map(|(joint, _)| joint));
+        assert_eq!(whole(&story), [""; 0]);
+    }
+}
+
+#[test]
+fn a_limb_and_shapes_are_told_though_together_they_are_half_of_what_is_drawn() {
+    for look in [Look::Course, Look::Studio] {
+        let mut story = adult_beside_shapes(look);
+        story.type_into("Right shoulder Z", "-20");
+        story.click("[2] Goblet (ID: 2)");
+        story.type_into("Position Y", "0.4");
+        let gem = story.session().scene().shapes()[2].id;
+        let color = Edit::SetColor(gem, ShapeColor::Custom(Vec3::new(0.9, 0.8, 0.1)));
+        story
+            .program
+            .carry_out(vec![Action::Edit(color)], &mut story.host);
+        judge(&mut story);
+        let mut told = places(&story);
+        told.sort_unstable();
+        assert_eq!(
+            told,
+            ["Gem", "Goblet", "Right shoulder"],
+            "{:?}",
+            texts(&story)
+        );
     }
 }
 

@@ -205,6 +205,17 @@ impl Finding {
         }
     }
 
+    /// The same where it is known that both pictures have one camera, so that it is not told as a cause.
+    #[must_use]
+    pub fn with_one_camera(mut self) -> Self {
+        match &mut self {
+            Self::Outline { everywhere, .. } => *everywhere = false,
+            Self::Shading { outlines_cross, .. } => *outlines_cross = false,
+            _ => {}
+        }
+        self
+    }
+
     /// Where it shows: the area round all of it, unless it is about the pictures as a whole.
     pub fn area(&self) -> Option<Area> {
         match *self {

@@ -1,7 +1,7 @@
 //! Places apart from one another in which pictures differ.
 
 use super::parts::{of_shapes, parts};
-use super::place::{near, place};
+use super::place::{near, place, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 pub(super) struct Place {
     pub told: String,
     pub area: Area,
+    /// Whether it is a part of the scene, so that the camera is right.
+    pub is_part: bool,
 }
 
 /// The places that were found last. They stay as long as nothing changes of what they follow from: to find them takes longer
@@ -72,8 +74,12 @@ impl KeptPlaces {
 fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
     let parts = parts(session, off, size).into_iter();
     let places = parts.map(|part| Place {
-        told: near(&part.name, &about(part.percent)),
+        told: match part.is_character {
+            true => whole(&part.name, &about(part.percent)),
+            false => near(&part.name, &about(part.percent)),
+        },
         area: part.area,
+        is_part: true,
     });
     places.collect()
 }
@@ -99,7 +105,11 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
             true => place(session, area, figure, size),
             false => sentence(&area.place_in(figure)),
         };
-        Place { told, area }
+        Place {
+            told,
+            area,
+            is_part: false,
+        }
     });
     places.collect()
 }

@@ -92,14 +92,22 @@ pub(super) fn findings(
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
+                let is_camera_right = apart.iter().any(|place| place.is_part);
+                let findings = judgment.findings.iter().cloned();
+                let findings: Vec<Finding> = findings
+                    .map(|finding| match is_camera_right {
+                        true => finding.with_one_camera(),
+                        false => finding,
+                    })
+                    .collect();
                 let are_told_apart =
                     |finding: &Finding| finding.is_without_cause() && !apart.is_empty();
                 // Where it is comes before how many pixels it is.
-                if judgment.findings.iter().any(are_told_apart) {
+                if findings.iter().any(are_told_apart) {
                     say(ui, WHERE, palette.strong);
                     links(ui, &apart, outlined);
                 }
-                for finding in &judgment.findings {
+                for finding in &findings {
                     say(ui, &finding.sentence(), palette.strong);
                     let area = finding.area().filter(|_| !are_told_apart(finding));
                     if let Some((area, figure)) = area.zip(judgment.figure) {
@@ -108,7 +116,7 @@ pub(super) fn findings(
                     }
                 }
                 match places {
-                    _ if !judgment.findings.is_empty() => {}
+                    _ if !findings.is_empty() => {}
                     Some(places) if places.is_empty() => {
                         say(ui, page_figure::AGREES, palette.strong);
                     }
@@ -130,7 +138,8 @@ pub(super) fn findings(
                         }
                     }
                 }
-                if let Some(hint) = hints::camera(session, &judgment.findings) {
+                let hint = hints::camera(session, &findings).filter(|_| !is_camera_right);
+                if let Some(hint) = hint {
                     say(ui, hint, palette.text);
                 }
             }

@@ -2,9 +2,10 @@
 
 use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
 use super::owned::Owned;
-use super::turned::{above, turned};
+use super::turned::{Turned, above, turned};
 use crate::editor::Session;
 use crate::math::distance_from_segment;
+use crate::scene::ShapeId;
 use glam::Vec2;
 
 /// How much higher a picture is than the bones in it of which it is the scale: that of smaller ones is less.
@@ -31,11 +32,14 @@ impl Limb {
 }
 
 /// The limbs of the characters in view that differ.
-#[derive(Default)]
-pub(super) struct Limbs {
+pub(super) struct Limbs<'a> {
+    /// What is seen where.
+    pub owned: Owned<'a>,
     pub all: Vec<Limb>,
-    /// Whether nothing of a character that is seen is turned, so that the camera is where it was.
-    pub has_right_character: bool,
+    /// Characters of which more than limbs differs.
+    pub whole: Vec<ShapeId>,
+    /// Whether something that is seen stands still, so that the camera is where it was.
+    pub is_camera_right: bool,
 }
 
 /// What is around bones.
@@ -71,26 +75,36 @@ fn scale(character: &CharacterSeen, height: f32) -> f32 {
 }
 
 /// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones which are at
-/// `pixels` that are off, while others are at such that are right. `None` where a root is turned.
-pub(super) fn limbs(session: &Session, pixels: [&[Vec2]; 2], size: Vec2) -> Option<Limbs> {
+/// `pixels` that are off, while others are at such that are right.
+pub(super) fn limbs<'a>(session: &'a Session, pixels: [&[Vec2]; 2], size: Vec2) -> Limbs<'a> {
     let owned = Owned::new(session, pixels, size);
-    let mut limbs = Limbs::default();
+    let mut limbs = Limbs {
+        all: Vec::new(),
+        whole: Vec::new(),
+        is_camera_right: owned.has_still(),
+        owned,
+    };
     for character in characters_seen(session, size) {
         let scale = scale(&character, size.y);
-        let (turned, is_right) = turned(&character, pixels, &owned, (size, scale));
-        limbs.has_right_character |= is_right;
-        limbs.all.extend(limbs_of(&character, &turned, scale)?);
+        let turned = turned(&character, pixels, &limbs.owned, (size, scale));
+        limbs.is_camera_right |= turned.is_none_of_known();
+        match limbs_of(&character, &turned, scale) {
+            Some(of_character) if !turned.is_whole => limbs.all.extend(of_character),
+            _ => limbs.whole.push(character.shape),
+        }
     }
-    Some(limbs)
+    limbs
 }
 
-/// Those of one character of which these joints are `turned`.
-fn limbs_of(character: &CharacterSeen, turned: &[bool], scale: f32) -> Option<Vec<Limb>> {
+/// Those of one character of which these joints are `turned`; `None` where a root is.
+fn limbs_of(character: &CharacterSeen, turned: &Turned, scale: f32) -> Option<Vec<Limb>> {
     let mut limbs: Vec<(usize, Limb)> = Vec::new();
     for bone in &character.bones {
         let above = above(character, bone.joint);
-        let (Some(top), Some(line)) = (above.filter(|&joint| turned[joint]).last(), bone.line())
-        else {
+        let (Some(top), Some(line)) = (
+            above.filter(|&joint| turned.joints[joint]).last(),
+            bone.line(),
+        ) else {
             continue;
         };
         // What a root turns is all of the figure.

@@ -68,7 +68,11 @@ impl FigureTold {
                 false => place(session, area, figure.area, compare.size()),
             };
             return Self {
-                places: vec![Place { told, area }],
+                places: vec![Place {
+                    told,
+                    area,
+                    is_part: false,
+                }],
                 is_elsewhere: is_much,
                 is_sure,
             };

@@ -4,13 +4,15 @@ use super::bones_seen::characters_seen;
 use super::limbs::{Body, Limb, limbs};
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
-use crate::scene::EvaluatedShape;
+use crate::scene::{EvaluatedShape, ShapeId};
 use glam::Vec2;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
 /// Percent of the figure from which on they are no parts of it any more: a camera that is elsewhere leaves less of it right.
 const FIGURE: f64 = 50.0;
+/// Share of what is off that is little beside other parts.
+const LITTLE: f64 = 0.05;
 /// Most parts that differ by themselves.
 const MOST: usize = 6;
 
@@ -19,6 +21,8 @@ const MOST: usize = 6;
 pub(super) struct Part {
     /// Name of the joint, with the character's if there are several, or of the shape.
     pub name: String,
+    /// Whether it is a character, of which more than limbs differs.
+    pub is_character: bool,
     /// The area round what is off of it in either picture.
     pub area: Area,
     /// Share of the figure that this is, in percent.
@@ -48,6 +52,10 @@ impl Seen<'_> {
         }
     }
 
+    fn is_character(&self) -> bool {
+        matches!(self, Self::Shape(shape) if shape.is_character)
+    }
+
     fn name(self) -> String {
         match self {
             Self::Limb(limb) => limb.name,
@@ -62,14 +70,18 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right]
         .map(|all| -> Vec<Vec2> { all.iter().map(at).collect() });
-    let Some(limbs) = limbs(session, [&ours, &right], size) else {
+    let limbs = limbs(session, [&ours, &right], size);
+    let is_camera_right = limbs.is_camera_right;
+    // What a root turns is all of the figure, as what a camera shows that is elsewhere.
+    if !limbs.whole.is_empty() && !is_camera_right {
         return Vec::new();
-    };
-    let shapes = shapes_seen(session, size).into_iter();
-    let shapes = shapes.filter(|shape| shape.shows_at(&ours, session, size));
-    let is_camera_right = limbs.has_right_character;
-    let limbs = limbs.all.into_iter().map(Seen::Limb);
-    let seen: Vec<Seen> = limbs.chain(shapes.map(Seen::Shape)).collect();
+    }
+    let shapes = shapes_seen(session, size, &limbs.whole).into_iter();
+    let differs =
+        |shape: &ShapeSeen| shape.shows_at(&ours, session, size) && !limbs.owned.is_still(shape.id);
+    let shapes = shapes.filter(differs);
+    let of_limbs = limbs.all.into_iter().map(Seen::Limb);
+    let seen: Vec<Seen> = of_limbs.chain(shapes.map(Seen::Shape)).collect();
     let nearest = |pixel: Vec2, may_be: &dyn Fn(&Seen) -> bool| {
         let all = seen.iter().enumerate().filter(|(_, it)| may_be(it));
         let distances = all.map(|(part, it)| (part, it.distance(pixel)));
@@ -93,13 +105,23 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
             pixels[part].push((pixel.x as u32, pixel.y as u32));
         }
     }
+    let all = pixels.iter().map(Vec::len).sum::<usize>() as f64;
+    // What was before a shape is off there as well.
+    let is_covered = |seen: &Seen, count: usize| match seen {
+        Seen::Shape(shape) => {
+            (count as f64) < LITTLE * all && limbs.owned.is_mostly_right(shape.id)
+        }
+        Seen::Limb(_) => false,
+    };
     // The figure is as large in both pictures.
     let of_both = 2.0 * (ours.len() + right.len()) as f64;
     let parts = seen.into_iter().zip(pixels);
+    let parts = parts.filter(|(seen, pixels)| !is_covered(seen, pixels.len()));
     let parts = parts.filter_map(|(seen, pixels)| {
         let percent = 100.0 * pixels.len() as f64 / of_both;
         Some(Part {
             area: Area::around(pixels)?,
+            is_character: seen.is_character(),
             name: seen.name(),
             percent,
         })
@@ -128,7 +150,7 @@ pub(super) fn of_shapes(session: &Session, off: &FigureOff, size: (u32, u32)) ->
     let bodies: Vec<Body> = characters
         .map(|character| Body::of(&character, size.y))
         .collect();
-    let shapes = shapes_seen(session, size);
+    let shapes = shapes_seen(session, size, &[]);
     of_shapes.ours.retain(|pixel| {
         let pixel = at(pixel);
         shapes.iter().any(|shape| shape.distance(pixel) <= 1.0)
@@ -142,9 +164,11 @@ const PROBED: usize = 64;
 /// … and the share of them from which on the shape differs, and not only what was behind or before it.
 const SHOWS: f64 = 0.3;
 
-/// A visible shape without bones, and the box around it in the picture.
+/// A visible shape, and the box around it in the picture.
 struct ShapeSeen<'a> {
+    id: ShapeId,
     name: &'a str,
+    is_character: bool,
     evaluated: &'a EvaluatedShape,
     least: Vec2,
     most: Vec2,
@@ -168,23 +192,28 @@ impl ShapeSeen<'_> {
     }
 }
 
-/// The shapes without bones. None where a shape is alone: what differs is it, then.
-fn shapes_seen(session: &Session, size: Vec2) -> Vec<ShapeSeen<'_>> {
+/// The shapes without bones, and these `characters`. None where a shape is alone: what differs is it, then.
+fn shapes_seen<'a>(session: &'a Session, size: Vec2, characters: &[ShapeId]) -> Vec<ShapeSeen<'a>> {
     let (scene, evaluated) = (session.scene(), session.evaluated());
     let camera = &session.view().camera;
     let visible = || scene.shapes().iter().filter(|shape| shape.visible);
     if visible().count() < 2 {
         return Vec::new();
     }
-    let others = visible().filter(|shape| scene.character(shape.id).is_none());
-    let seen = others.filter_map(|shape| {
+    let seen = visible().filter_map(|shape| {
+        let is_character = scene.character(shape.id).is_some();
+        if is_character && !characters.contains(&shape.id) {
+            return None;
+        }
         let evaluated = evaluated.shape(shape.id)?;
         let corners = evaluated.world_box().corners().into_iter();
         // One that reaches behind the camera is everywhere.
         let pixels = corners.map(|corner| camera.pixel(corner, size));
         let pixels = pixels.collect::<Option<Vec<Vec2>>>()?;
         Some(ShapeSeen {
+            id: shape.id,
             name: &shape.name,
+            is_character,
             evaluated,
             least: pixels.iter().copied().reduce(Vec2::min)?,
             most: pixels.iter().copied().reduce(Vec2::max)?,

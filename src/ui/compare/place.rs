@@ -29,6 +29,14 @@ pub(super) fn near(joint: &str, part: &str) -> String {
     sentence(&format!("near {joint}, in {part} of the figure"))
 }
 
+/// Sentence about a character that differs as a whole, which is such a `part` of the figure in words.
+pub(super) fn whole(character: &str, part: &str) -> String {
+    let told = format!(
+        "all of {character}, in {part} of the figure: it is moved, turned or scaled as a whole, or its root joint is turned"
+    );
+    sentence(&told)
+}
+
 /// Share of the bone of a joint that is in the area of what the joint has turned, but for its beginning; and of bones that
 /// hang on that, which may have gone out of it.
 const OWN: f32 = 0.75;

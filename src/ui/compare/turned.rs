@@ -14,6 +14,9 @@ const IS_RIGHT: f32 = 0.5;
 /// Share of what is seen of a joint's mesh that is off where the joint is turned: what turns a little covers much of where it
 /// was. Of a joint that nothing hangs on as much as of a line, for it may be covered by what was elsewhere.
 const MESH_IS_OFF: f32 = 0.12;
+/// Share of what is seen besides turned limbs that is off where the character is moved or turned as a whole. Where one was
+/// moved by a fiftieth of its height, that was 0.37; of one that dances, with all limbs turned, 0.18, by their shadows.
+const WHOLE_IS_OFF: f32 = 0.25;
 /// Share of the bones that hang on a joint which may be right where it is turned: where they are now, others were.
 const RIGHT_BELOW: f32 = 0.4;
 /// Length of a bone, by the longest one of the figure, below which it is inside of the limb that hangs on it, as at hips.
@@ -81,14 +84,31 @@ impl<'a> Told<'a> {
     }
 }
 
-/// Which joints of a character are turned, as far as the mesh and the bones tell, and whether some are known not to be and
-/// none is.
+/// Which joints of a character are turned.
+pub(super) struct Turned {
+    /// Whether each joint is.
+    pub joints: Vec<bool>,
+    /// Whether what does not hang on these is off as well, and nothing is known to be right: the character stands elsewhere,
+    /// or is turned as a whole.
+    pub is_whole: bool,
+    /// Whether some joints are known not to be turned.
+    has_right: bool,
+}
+
+impl Turned {
+    /// Whether some joints are known not to be turned, and none is.
+    pub fn is_none_of_known(&self) -> bool {
+        self.has_right && !self.joints.contains(&true)
+    }
+}
+
+/// Which joints of a character are turned, as far as the mesh and the bones tell.
 pub(super) fn turned(
     character: &CharacterSeen,
     pixels: [&[Vec2]; 2],
     owned: &Owned,
     (size, scale): (Vec2, f32),
-) -> (Vec<bool>, bool) {
+) -> Turned {
     let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
     let reach = AT_BONE * scale;
     let parent = |joint: usize| character.joints[joint].parent;
@@ -111,9 +131,15 @@ pub(super) fn turned(
         }
     });
     let told: Vec<Told> = told.collect();
-    let turned = turned_by(character, &told);
-    let is_right = !turned.contains(&true) && told.iter().any(|told| told.is_right);
-    (turned, is_right)
+    let joints = turned_by(character, &told);
+    let has_right = told.iter().any(|told| told.is_right);
+    let hangs_on_none = |joint: usize| !above(character, joint).any(|joint| joints[joint]);
+    let off_besides = owned.off_of(character.shape, hangs_on_none);
+    Turned {
+        is_whole: !has_right && off_besides.is_some_and(|off| off >= WHOLE_IS_OFF),
+        joints,
+        has_right,
+    }
 }
 
 fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
