@@ -505,19 +505,21 @@ fn a_root_that_alone_is_turned_is_one_mistake_also_beside_another() {
 #[test]
 fn a_rotation_that_overwrites_those_before_it_is_one_mistake_also_beside_another() {
     let figure = Figure::builtin("adult", turned(92));
-    let about: [(&str, fn(Mat4, Mat4, Mat4) -> Mat4); 3] = [
-        ("that about z", |_, _, z| z),
-        ("that about y", |_, y, _| y),
-        ("that about x", |x, _, _| x),
-    ];
-    for (how, rotation) in about {
-        let student = Student { rotation, ..RIGHT };
+    for (how, slider) in [
+        (
+            "that about z",
+            (|a: Vec3| Vec3::Z * a.z) as fn(Vec3) -> Vec3,
+        ),
+        ("that about y", |a| Vec3::Y * a.y),
+        ("that about x", |a| Vec3::X * a.x),
+    ] {
+        let student = Student { slider, ..RIGHT };
         let found = figure.diagnose(&written(&student.skin(&figure), 6));
         assert_named(&found, "only-one-axis", how);
         assert_eq!(found.causes, ["only-one-axis"], "{found}");
         assert_eq!(found.mistakes[0].section, "3.4 Sliders");
         let student = Student {
-            rotation,
+            slider,
             ..with(&["parent-missing"])
         };
         let found = figure.diagnose(&written(&student.skin(&figure), 6));

@@ -2,7 +2,7 @@
 
 use super::Story;
 use crate::host::MemoryHost;
-use crate::reference_data::reference;
+use crate::reference_data::{course, reference};
 use editor_core::character::Pose;
 use editor_core::compare::Area;
 use editor_core::editor::{Edit, View};
@@ -317,6 +317,49 @@ fn a_character_that_is_moved_turned_or_scaled_is_told_as_a_whole_beside_what_sta
         told.sort_unstable();
         assert_eq!(told, limbs.map(|(joint, _)| joint));
         assert_eq!(whole(&story), [""; 0]);
+    }
+}
+
+#[test]
+fn the_courses_character_is_told_as_a_whole_though_nothing_of_its_root_is_seen() {
+    // It has no weights for the root, and hardly a vertex that the chest moves alone.
+    let mut host = MemoryHost {
+        stored: [crate::stories::started_before()].into(),
+        ..MemoryHost::default()
+    };
+    for extension in ["obj", "skel", "attach"] {
+        let name = format!("Model1.{extension}");
+        let Some(path) = course(&format!("characters/{name}")) else {
+            return;
+        };
+        let bytes = std::fs::read(path).unwrap();
+        host.files.insert(format!("models/{name}").into(), bytes);
+    }
+    for look in [Look::Course, Look::Studio] {
+        for (field, value) in [
+            ("Position X", "0.04"),
+            ("Rotation Y", "30"),
+            ("Uniform Scale", "0.8"),
+        ] {
+            let host = MemoryHost {
+                files: host.files.clone(),
+                stored: host.stored.clone(),
+                ..MemoryHost::default()
+            };
+            let mut story = Story::start_at(host, &["models/Model1.obj", "builtin:goblet"]);
+            story.size = (1000, 1300);
+            let seen = vec![Action::View(View::SetLook(look))];
+            story.program.carry_out(seen, &mut story.host);
+            story.settle();
+            story.click("[1] Model1 (ID: 1)");
+            compare_with_itself(&mut story, (640, 480));
+            judge(&mut story);
+            story.type_into(field, value);
+            judge(&mut story);
+            let texts = texts(&story);
+            assert_eq!(whole(&story), ["Model1"], "{look:?} {field}: {texts:?}");
+            assert_eq!(places(&story), [""; 0], "{look:?} {field}: {texts:?}");
+        }
     }
 }
 
