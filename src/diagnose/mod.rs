@@ -8,6 +8,7 @@ mod beside;
 mod choices;
 mod diagnosis;
 mod diagnosis_words;
+mod elsewhere;
 mod faces;
 mod factor_formula;
 mod findings;

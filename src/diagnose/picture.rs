@@ -2,6 +2,7 @@
 
 use super::diagnosis::{ToldMistake, Verdict, all_causes};
 use super::diagnosis_words::{fmt_mistakes, fmt_where, together};
+use super::elsewhere;
 use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::picture_search::{Closeness, PictureSearch};
@@ -58,6 +59,9 @@ pub struct PictureDiagnosis {
     pub same_as: Vec<Vec<&'static str>>,
     /// The box around what is off, as the pixels x, y, width and height; `None` if nothing is.
     pub off_within: Option<[u32; 4]>,
+    /// Of a picture that nothing explains, how the exact silhouette is placed in it, in words, if nearly all of it is there but
+    /// elsewhere, in another size or turned.
+    pub placed: Option<String>,
     /// Whether hardly anything is drawn but lines and specks, which no mistake is looked for in.
     #[serde(skip)]
     pub is_scattered: bool,
@@ -108,7 +112,9 @@ pub fn diagnose_picture(
         let search =
             |turned: &Picture| PictureSearch::new(&model, pose, turned, clip_from_model, at);
         let turned = turned_picture::find(picture, TOLERANCE, search);
-        if !turned.is_empty() {
+        if turned.is_empty() {
+            found.placed = elsewhere::find(&model, pose, picture, clip_from_model);
+        } else {
             found.explain(&turned);
         }
     }
@@ -128,6 +134,7 @@ fn found(search: &PictureSearch<'_>, drawn_border: f64) -> PictureDiagnosis {
         mistakes: Vec::new(),
         same_as: Vec::new(),
         off_within: search.off_within,
+        placed: None,
         is_scattered: false,
         only_lacks: search.only_lacks,
         drawn_border,
@@ -201,7 +208,12 @@ impl PictureDiagnosis {
 
     /// What may be behind a silhouette that nothing explains, after a semicolon.
     fn what_it_may_be(&self) -> String {
-        if self.drawn_border > FLOOR {
+        if let Some(placed) = &self.placed {
+            format!(
+                "; it is the exact one {placed}: the picture is seen through another camera, or the character stands elsewhere or \
+                 otherwise"
+            )
+        } else if self.drawn_border > FLOOR {
             let share = 100.0 * self.drawn_border;
             format!(
                 "; {share:.0} % of the picture's edge differ from the background: a floor, for one, is taken for a part of \

@@ -220,6 +220,19 @@ impl Silhouette {
         }
     }
 
+    /// What is covered as a picture, white on black, which is as large as the picture where each pixel is a sample.
+    pub(super) fn painted(&self) -> Picture {
+        let rgba = self.is_covered.iter().flat_map(|is_covered| {
+            let value = if *is_covered { 255 } else { 0 };
+            [value, value, value, 255]
+        });
+        Picture {
+            width: self.samples.columns as u32,
+            height: self.samples.rows as u32,
+            rgba: rgba.collect(),
+        }
+    }
+
     /// Whether nothing is covered.
     pub(super) fn is_blank(&self) -> bool {
         !self.is_covered.contains(&true)

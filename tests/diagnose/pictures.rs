@@ -249,6 +249,44 @@ fn a_picture_that_no_mistake_gives_is_unexplained() {
 }
 
 #[test]
+fn a_right_picture_through_another_camera_is_told_with_where_the_figure_is() {
+    let folder = folder(&Figure::builtin("adult", turned(46)), &[]);
+    let ran = run(&folder, &format!("render theirs.obj {FRONT} -o a.png"));
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    // As where the window's edges are elsewhere.
+    let path = folder.path().join("a.png");
+    let picture = image::open(&path).unwrap().to_rgba8();
+    let (width, height) = picture.dimensions();
+    let moved = image::RgbaImage::from_fn(width, height, |x, y| {
+        *picture.get_pixel((x + width - 15) % width, (y + height - 6) % height)
+    });
+    moved.save(folder.path().join("moved.png")).unwrap();
+    let diagnosed = |picture: &str, model: &str, camera: &str, how: &str| {
+        let line = format!("diagnose {picture} --character {model} --pose pose.json {camera}{how}");
+        run(&folder, &line).out
+    };
+    let placed = |picture: &str, model: &str, camera: &str| {
+        let out = diagnosed(picture, model, camera, " --json");
+        let found: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(found["verdict"], "unexplained", "{camera}: {found}");
+        found["placed"].as_str().map(str::to_owned)
+    };
+    let by = "moved 15 pixels right and 6 pixels down";
+    assert_eq!(
+        placed("moved.png", "builtin:adult", FRONT).as_deref(),
+        Some(by)
+    );
+    let told = diagnosed("moved.png", "builtin:adult", FRONT, "");
+    assert!(told.contains(&format!(
+        "; it is the exact one {by}: the picture is seen through"
+    )));
+    // From nearer.
+    let nearer = placed("a.png", "builtin:adult", "--camera 80,10,4.3").expect("it is told");
+    assert!(nearer.contains("times as large"), "{nearer}");
+    assert_eq!(placed("a.png", "builtin:dog", FRONT), None);
+}
+
+#[test]
 fn specks_of_a_figure_tell_no_mistake_though_one_that_draws_nothing_there_would_agree() {
     let mut figure = Figure::builtin("adult", turned(46));
     let kept = figure.triangles.iter().step_by(12).copied();
@@ -336,7 +374,7 @@ fn a_mistake_of_the_whole_program_is_named_in_a_picture_too() {
         (begun, "sum-begun-at-rest"),
     ] {
         let folder = folder_with(&figure, &places);
-        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,6", "");
+        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,4.3", "");
         assert_eq!(found["verdict"], "explained", "{id}: {found}");
         let causes = found["causes"].as_array().unwrap();
         assert!(causes.contains(&json!(id)), "{id}: {found}");

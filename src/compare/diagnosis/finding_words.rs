@@ -186,6 +186,30 @@ fn fmt_axes(f: &mut fmt::Formatter<'_>, only_in: Which, alone: bool) -> fmt::Res
     f.write_str(" (View ⏵ Toggle Axis, T, or --axis)")
 }
 
+impl Finding {
+    /// How A is placed in B in words, where it is elsewhere, in another size or turned, with what of it differs even so; `None` of
+    /// another finding.
+    pub fn placement(&self) -> Option<String> {
+        match *self {
+            Self::Shifted { dx, dy } => Some(format!("moved {}", moved(dx, dy))),
+            Self::Placed {
+                dx,
+                dy,
+                factor,
+                degrees,
+                unexplained,
+            } => {
+                let placed = placed((dx, dy), factor, degrees);
+                Some(match unexplained {
+                    0.0 => placed,
+                    share => format!("{placed}, but for {:.0} % of it", 100.0 * share),
+                })
+            }
+            _ => None,
+        }
+    }
+}
+
 fn moved(dx: i32, dy: i32) -> String {
     let part = |by: i32, forward: &str, backward: &str| {
         let direction = if by > 0 { forward } else { backward };
@@ -202,14 +226,8 @@ fn moved(dx: i32, dy: i32) -> String {
         .join(" and ")
 }
 
-/// A figure elsewhere, of which a share is unexplained even so.
-fn fmt_placed(
-    f: &mut fmt::Formatter<'_>,
-    (dx, dy): (i32, i32),
-    factor: f64,
-    degrees: f64,
-    unexplained: f64,
-) -> fmt::Result {
+/// A movement, a scale and a turn in words, as far as there are any.
+fn placed((dx, dy): (i32, i32), factor: f64, degrees: f64) -> String {
     let way = if degrees > 0.0 {
         "clockwise"
     } else {
@@ -221,7 +239,19 @@ fn fmt_placed(
         (degrees != 0.0).then(|| format!("turned {:.1} degrees {way}", degrees.abs())),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
-    write!(f, "the whole figure is {} in B", parts.join(", "))?;
+    parts.join(", ")
+}
+
+/// A figure elsewhere, of which a share is unexplained even so.
+fn fmt_placed(
+    f: &mut fmt::Formatter<'_>,
+    by: (i32, i32),
+    factor: f64,
+    degrees: f64,
+    unexplained: f64,
+) -> fmt::Result {
+    let placed = placed(by, factor, degrees);
+    write!(f, "the whole figure is {placed} in B")?;
     if unexplained == 0.0 {
         f.write_str(": another camera, or another place or size of the shape")
     } else {
