@@ -217,8 +217,10 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     {
         state.busy_at = now;
     }
+    // A bone that is rolled is selected without rings.
+    let mut rolls = Vec::new();
     if !keys_taken {
-        posing::roll_by_keys(&ctx, session, state, &mut actions);
+        posing::roll_by_keys(&ctx, session, state, &mut rolls);
         actions.extend(key_commands::tab_over_the_view(&ctx, session, state));
     }
     let last_view = state.view_rect;
@@ -227,6 +229,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         shape_panel::show(root, session, state, &mut actions);
     }
     posing::notice_selection(&mut state.pose, &actions);
+    actions.append(&mut rolls);
     if !input.is_viewer {
         view_overlay::status_line(root, session, state, input);
     }

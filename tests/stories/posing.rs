@@ -318,6 +318,10 @@ fn a_bone_that_is_rolled_by_a_held_key_is_one_step() {
     assert_eq!(story.session().done_steps(), steps + 1);
     assert!(story.degrees("Elbow").length() > 10.0);
     assert_eq!(story.session().view().camera, camera);
+    // The panel shows its numbers, as of one that was dragged.
+    let joints = story.character().character.skeleton().joints();
+    let elbow = joints.iter().position(|joint| joint.name == "Elbow");
+    assert_eq!(story.session().selected_joint(), elbow);
 }
 
 #[test]

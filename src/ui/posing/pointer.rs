@@ -354,7 +354,12 @@ fn select_alone(
 }
 
 /// The same, but where the joint is selected among others it becomes the active one of them.
-fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut Vec<Action>) {
+pub(super) fn select(
+    session: &Session,
+    shape: ShapeId,
+    joint: Option<usize>,
+    actions: &mut Vec<Action>,
+) {
     let among = joint.filter(|joint| session.selected_joints().contains(joint));
     match among.filter(|_| session.selected() == Some(shape)) {
         Some(joint) if session.selected_joint() != Some(joint) => {

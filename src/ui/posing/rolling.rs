@@ -1,5 +1,6 @@
 //! What the arrow keys do to bones.
 
+use super::pointer::select;
 use super::{LetGo, PoseState, Rolled};
 use crate::editor::{ROLL_STEP, Session, Tool, roll};
 use crate::scene::ShapeId;
@@ -68,6 +69,10 @@ pub(in crate::ui) fn roll_by_keys(
     };
     let document = Some(session.document());
     let goes_on = |rolled: Rolled| rolled.bone == (shape, bone) && rolled.document == document;
+    // As one that is dragged, whose numbers the panel shows then; without rings, which would come under the pointer.
+    if let Some(hit) = hovered {
+        select(session, hit.shape, Some(hit.joint), actions);
+    }
     if pose.rolled.is_some_and(goes_on) {
         actions.push(Action::Gesture(GestureStep::BeginOnLastStep));
     }
@@ -82,6 +87,7 @@ pub(in crate::ui) fn roll_by_keys(
         let held = (hit.shape, hit.joint);
         state.pose.let_go = at.map(|at| LetGo::new(at, held, Tool::Pose, session));
         state.pose.taken = Some(hit);
+        state.pose.without_gizmo = Some(held);
     }
 }
 
