@@ -113,6 +113,8 @@ pub enum AngleUnits {
     Degrees,
     /// What comes of converting degrees to radians and the result once more.
     ConvertedTwice,
+    /// What they lack to a right angle, in radians: sine and cosine are exchanged.
+    Complements,
 }
 
 /// Axes that a joint turns about, at rest.

@@ -74,6 +74,8 @@ pub struct Diagnosis {
     /// Whether it is the mesh at rest as the character's file has it, where that is asked for: nearly right, since the
     /// weights do not quite sum to 1.
     pub is_as_in_file: bool,
+    /// How many vertices are no numbers (nan or infinite).
+    pub no_numbers: usize,
     /// Of a mesh that is nearly right, in words which vertices at an end are where they were before.
     pub not_reached: Option<String>,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
@@ -254,6 +256,7 @@ impl Diagnosis {
             nearest: None,
             findings: Vec::new(),
             not_turned: Vec::new(),
+            no_numbers: 0,
             not_reached: None,
             is_as_in_file: false,
             ..self

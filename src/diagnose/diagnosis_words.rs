@@ -2,6 +2,7 @@
 
 use super::diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 use super::mistake::{LOOK_AT_PLACE, Mistake};
+use super::no_numbers;
 use super::other_pose::OtherPose;
 use super::precision::Coarse;
 use crate::compare::MeshFinding;
@@ -193,6 +194,14 @@ impl Diagnosis {
         let close = self.nearly_right() == Some(NearlyRight::Close);
         let close = close.then(|| within_everywhere(self.error_from_exact));
         let mut found: Vec<String> = close.into_iter().collect();
+        if self.no_numbers > 0 {
+            let others = if self.no_numbers == self.off {
+                ", and all others are right"
+            } else {
+                ""
+            };
+            found.push(format!("{}{others}", no_numbers::in_words(self.no_numbers)));
+        }
         let as_in_file = "it is the mesh at rest as the character's file has it, not skinned";
         found.extend(self.is_as_in_file.then(|| as_in_file.to_owned()));
         found.extend(self.findings.iter().map(ToString::to_string));

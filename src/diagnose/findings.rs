@@ -64,6 +64,7 @@ impl Findings<'_> {
             same_as: Vec::new(),
             others: Vec::new(),
             not_turned: Vec::new(),
+            no_numbers: 0,
             not_reached: None,
             reached: 1.0,
             is_as_in_file: false,

@@ -9,6 +9,7 @@ use super::joint_tree::Tree;
 use super::model::Model;
 use crate::character::{FileFrames, Pose};
 use glam::{DAffine3, DMat3, DMat4, DVec3};
+use std::f64::consts::FRAC_PI_2;
 
 /// The transforms of all joints from their frames to model space, by a formula.
 #[derive(Debug)]
@@ -273,6 +274,7 @@ impl JointFormula {
             AngleUnits::Radians => angles[axis],
             AngleUnits::Degrees => angles[axis].to_degrees(),
             AngleUnits::ConvertedTwice => angles[axis].to_radians(),
+            AngleUnits::Complements => FRAC_PI_2 - angles[axis],
         });
         let angles = DVec3::from_array(in_units);
         let rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();

@@ -271,7 +271,7 @@ async fn diagnose_vertices(
     }
     let mut coarse = None;
     if explanations.is_empty() {
-        coarse = Coarse::find(&exact, theirs, half_step, size);
+        coarse = Coarse::find(&exact, theirs, &written, size);
         let limit = precision::coarse_limit(half_step, size);
         let may_be_right = coarse.is_some_and(|coarse| coarse.may_be_right);
         if coarse.is_some() && !may_be_right && precision::tells_mistakes(half_step, size) {

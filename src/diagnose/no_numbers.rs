@@ -87,6 +87,7 @@ impl NoNumbers {
         for region in regions.filter(|region| self.vertices.contains_key(&region.worst_vertex)) {
             region.worst = f64::INFINITY;
         }
+        found.no_numbers = self.vertices.len();
         found.error = f64::INFINITY;
         found.error_from_exact = f64::INFINITY;
         found
@@ -94,10 +95,7 @@ impl NoNumbers {
 
     /// How many they are, in words.
     pub fn what(&self) -> String {
-        match self.vertices.len() {
-            1 => "1 vertex is no number (nan or infinite)".to_owned(),
-            all => format!("{all} vertices are no numbers (nan or infinite)"),
-        }
+        in_words(self.vertices.len())
     }
 
     /// In words, of a file called `name`.
@@ -106,6 +104,14 @@ impl NoNumbers {
         format!(
             "{name}:{first}: {what}, which counts as wrong: a division by zero, or a root of what is negative?"
         )
+    }
+}
+
+/// That so many vertices are none.
+pub(super) fn in_words(vertices: usize) -> String {
+    match vertices {
+        1 => "1 vertex is no number (nan or infinite)".to_owned(),
+        all => format!("{all} vertices are no numbers (nan or infinite)"),
     }
 }
 

@@ -1,6 +1,8 @@
 //! Mistakes of a whole program with the angles of joints, and in how often they count.
 
-use super::formula::{AngleAtEnd, AnglesOf, Formula, Rotations, RoundedAngles, Shifted};
+use super::formula::{
+    AngleAtEnd, AngleUnits, AnglesOf, Formula, Rotations, RoundedAngles, Shifted,
+};
 use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
 /// The ways to use angles about other axes: those that are used about X, Y and Z, 0 for that about X.
@@ -181,6 +183,28 @@ fn turn_about_alone(axis: usize, formula: &mut Formula) {
         *factor *= 0.0;
     }
 }
+
+/// A mistake in the matrices of the rotations.
+pub(super) static SINE_COSINE_EXCHANGED: Mistake = Mistake {
+    id: "sine-cosine-exchanged",
+    meaning: "sine and cosine are exchanged, so that joints are turned by what their angles lack to 90°, those at rest as well",
+    section: SLIDERS,
+    look_at: "the matrices of the rotations in setJointTransform: cosines are on the diagonal, 1 where the angle is 0",
+    readings: &[
+        reading("", |formula| {
+            formula.joint.units = [AngleUnits::Complements; 3];
+        }),
+        reading("about x alone", |formula| {
+            formula.joint.units[0] = AngleUnits::Complements;
+        }),
+        reading("about y alone", |formula| {
+            formula.joint.units[1] = AngleUnits::Complements;
+        }),
+        reading("about z alone", |formula| {
+            formula.joint.units[2] = AngleUnits::Complements;
+        }),
+    ],
+};
 
 /// A mistake in how often rotations are made.
 pub(super) static ROTATION_REPEATED: Mistake = Mistake {

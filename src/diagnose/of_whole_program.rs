@@ -6,6 +6,7 @@ use super::mistake::{Mistake, SKELETON, SLIDERS, reading};
 use super::of_angles::{
     ANGLE_REPEATED, ANGLES_EXCHANGED, ANGLES_ROUNDED, ANGLES_SHIFTED, CURRENT_ROTATION_TRANSPOSED,
     ONLY_ONE_AXIS, ONLY_ROOT_TURNED, QUATERNION_ORDER, ROOT_ANGLES_MISSING, ROTATION_REPEATED,
+    SINE_COSINE_EXCHANGED,
 };
 use super::of_collada::{
     ANGLES_ABOUT_BONES, AXES_NOT_CONVERTED, BIND_SHAPE_MISSING, SKIN_LIST_IGNORED,
@@ -362,7 +363,7 @@ static ROOT_NOT_MOVED: Mistake = Mistake {
 };
 
 /// All of them, in the order in which they are named where they give the same.
-pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 42] = [
+pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 43] = [
     &BIND_SHAPE_MISSING,
     &AXES_NOT_CONVERTED,
     &ANGLES_ABOUT_BONES,
@@ -403,6 +404,7 @@ pub(super) static OF_WHOLE_PROGRAM: [&Mistake; 42] = [
     &ROTATION_REPEATED,
     &CURRENT_ROTATION_TRANSPOSED,
     &QUATERNION_ORDER,
+    &SINE_COSINE_EXCHANGED,
     &ONLY_ONE_AXIS,
     &ANGLE_REPEATED,
 ];

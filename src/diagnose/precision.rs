@@ -10,6 +10,9 @@ use serde::Serialize;
 const MOST_DIGITS: usize = 9;
 /// Part of half a unit up to which a number counts as rounded: halves are not exact in binary.
 const ROOM: f64 = 1.01;
+/// Unit of the last digit, by the largest number, up to which there are digits enough, as where C++ writes numbers: of a mesh
+/// that is much too large they are coarse by that alone.
+const ENOUGH: f64 = 1e-5;
 /// Fewest vertices whose numbers tell by how few digits they have that they are rounded.
 const FEWEST_ROUNDED: usize = 12;
 /// The coarsest rounding, by the size, after which mistakes can still be told from one another.
@@ -161,9 +164,10 @@ impl Coarse {
     pub(super) fn find(
         exact: &[Placed],
         theirs: &[Vec3],
-        half_step: f64,
+        written: &Written,
         size: f64,
     ) -> Option<Self> {
+        let half_step = written.half_step;
         let (rounding, rounded_to) = (of_vertices(half_step), 2.0 * half_step);
         let is_rounded = |place: DVec3| {
             let rounded = (place / rounded_to).round() * rounded_to;
@@ -171,6 +175,7 @@ impl Coarse {
         };
         // Few numbers are short by chance, and nothing is lost where the right ones have no more digits either.
         let is_coarse = theirs.len() >= FEWEST_ROUNDED
+            && rounded_to > ENOUGH * written.largest
             && rounding > MOST_TOLERANCE * size
             && !exact.iter().all(|placed| is_rounded(placed.at));
         let is_so_rounded = |most: f64| {

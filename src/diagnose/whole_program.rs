@@ -13,7 +13,7 @@ use super::skin::{Placed, Skinner};
 use super::small_weights;
 use super::ways::Made;
 use crate::steps::Pace;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use std::f64::consts::PI;
 use std::iter;
 
@@ -58,6 +58,9 @@ pub(super) async fn find(
     }
     if found.is_empty() {
         found.extend(sum_not_reset(alone.search, exact, pace).await);
+    }
+    if found.is_empty() {
+        found.extend(matrix_not_reset(alone.search, pace).await);
     }
     if found.is_empty() {
         found.extend(misread_rows::find(alone, pace).await);
@@ -249,5 +252,35 @@ async fn sum_not_reset(search: &Search<'_>, exact: &[Placed], pace: &Pace) -> Op
         made: vec![Made::by_numbers(&SUM_NOT_RESET)],
         error,
         how: Some("from vertex to vertex".to_owned()),
+    })
+}
+
+/// That the weighted sum of matrices, by which a vertex is multiplied then, goes on from vertex to vertex.
+async fn matrix_not_reset(search: &Search<'_>, pace: &Pace) -> Option<Explanation> {
+    let exact = Formula::default();
+    let mut skinner = search.skinner(&exact)?;
+    let (mut linear, mut translation) = (DMat3::ZERO, DVec3::ZERO);
+    let (mut largest, mut error) = (0.0_f64, 0.0_f64);
+    for (vertex, &theirs) in search.theirs.iter().enumerate() {
+        let bind = search.model.positions[search.model.source(exact.vertex_order, vertex).position];
+        let (own, placed) = (skinner.linear(vertex), skinner.place(vertex));
+        if !placed.is_unweighted {
+            linear += own;
+            translation += placed.at - own * bind;
+        }
+        largest = largest.max(theirs.abs().max_element());
+        let distance = theirs.distance(linear * bind + translation) - ROUNDING_OF_SUMS * largest;
+        if distance.is_nan() || distance > search.tolerance {
+            return None;
+        }
+        error = error.max(distance);
+        if vertex % AT_ONCE == AT_ONCE - 1 {
+            pace.after(AT_ONCE).await;
+        }
+    }
+    Some(Explanation {
+        made: vec![Made::by_numbers(&SUM_NOT_RESET)],
+        error,
+        how: Some("that of matrices, from vertex to vertex".to_owned()),
     })
 }

@@ -233,6 +233,9 @@ fn single_vertices_that_are_no_numbers_are_wrong_and_the_others_are_looked_at() 
     assert_eq!((code, &found["verdict"]), (Some(1), &"unexplained".into()));
     assert_eq!((&found["error"], &found["off"]), (&Value::Null, &1.into()));
     assert_eq!(found["first"]["error"], Value::Null, "{found}");
+    assert_eq!(found["no_numbers"], 1);
+    let told = "unexplained: 1 vertex is no number (nan or infinite), and all others are right";
+    assert!(ran.out.starts_with(told), "{}", ran.out);
     // As PowerShell writes what a program prints.
     let units = format!("\u{feff}{text}")
         .encode_utf16()

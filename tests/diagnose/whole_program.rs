@@ -532,6 +532,85 @@ fn a_rotation_that_overwrites_those_before_it_is_one_mistake_also_beside_another
 }
 
 #[test]
+fn sine_and_cosine_that_are_exchanged_are_one_mistake_however_few_joints_are_turned() {
+    let right_angle = Vec3::splat(90.0);
+    for seed in [93, 94] {
+        let figure = Figure::builtin("adult", turned(seed));
+        let student = Student {
+            slider: |degrees| Vec3::splat(90.0) - degrees,
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_named(&found, "sine-cosine-exchanged", "");
+        assert_eq!(found.causes, ["sine-cosine-exchanged"], "{found}");
+        assert_eq!(found.mistakes[0].section, "3.4 Sliders");
+        // In one of the three matrices.
+        let student = Student {
+            slider: |degrees| Vec3::new(degrees.x, 90.0 - degrees.y, degrees.z),
+            ..RIGHT
+        };
+        let found = figure.diagnose(&written(&student.skin(&figure), 6));
+        assert_named(&found, "sine-cosine-exchanged", "about y alone");
+    }
+    // Also where one joint is turned.
+    let figure = Figure::builtin("adult", |joint| match joint {
+        5 => Vec3::new(20.0, 10.0, -30.0),
+        _ => Vec3::ZERO,
+    });
+    let exchanged = Figure::builtin("adult", |joint| match joint {
+        5 => right_angle - Vec3::new(20.0, 10.0, -30.0),
+        _ => right_angle,
+    });
+    let found = figure.diagnose(&written(&RIGHT.skin(&exchanged), 6));
+    assert_named(&found, "sine-cosine-exchanged", "");
+}
+
+#[test]
+fn a_blended_matrix_that_is_not_set_to_0_is_named_with_the_six_digits_that_programs_write() {
+    let figure = Figure::builtin("adult", turned(95));
+    // The matrix of each vertex, from where it takes the origin and the axes.
+    let ends = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z].map(|end| {
+        let moved = Figure {
+            positions: vec![end; figure.positions.len()],
+            ..Figure::builtin("adult", turned(95))
+        };
+        RIGHT.skin(&moved)
+    });
+    let (mut sum, mut theirs) = (glam::DMat4::ZERO, Vec::new());
+    for (vertex, place) in figure.positions.iter().enumerate() {
+        let [origin, x, y, z] = [0, 1, 2, 3].map(|end| ends[end][vertex].as_dvec3());
+        sum += glam::DMat4::from_cols(
+            (x - origin).extend(0.0),
+            (y - origin).extend(0.0),
+            (z - origin).extend(0.0),
+            origin.extend(1.0),
+        );
+        theirs.push((sum * place.as_dvec3().extend(1.0)).truncate().as_vec3());
+    }
+    let rounded = |number: f32| format!("{number:.5e}").parse::<f32>().unwrap();
+    let six_digits = |place: &Vec3| Vec3::from(place.to_array().map(rounded));
+    let written: Vec<Vec3> = theirs.iter().map(six_digits).collect();
+    let found = figure.diagnose(&written);
+    assert_named(
+        &found,
+        "sum-not-reset",
+        "that of matrices, from vertex to vertex",
+    );
+    // What is large for another reason has digits enough, too.
+    let other: Vec<Vec3> = (0_u16..)
+        .zip(&written)
+        .map(|(at, place)| *place * (1.0 + 0.1 * f32::from(at % 7)))
+        .map(|place| six_digits(&place))
+        .collect();
+    let found = figure.diagnose(&other);
+    assert_eq!(
+        (found.verdict, found.coarse),
+        (Verdict::Unexplained, None),
+        "{found}"
+    );
+}
+
+#[test]
 fn offsets_that_are_taken_for_places_are_named_also_beside_a_common_mistake() {
     let figure = Figure::builtin("adult", turned(91));
     let mut misread = Figure::builtin("adult", turned(91));

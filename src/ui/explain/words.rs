@@ -203,6 +203,7 @@ fn rotations(own: &JointFormula) -> Vec<Part> {
         let letters = match (own.units[axis], is_turned) {
             (AngleUnits::Degrees, _) => ["Rx(degrees)", "Ry(degrees)", "Rz(degrees)"],
             (AngleUnits::ConvertedTwice, _) => ["Rx(π/180 x)", "Ry(π/180 y)", "Rz(π/180 z)"],
+            (AngleUnits::Complements, _) => ["Rx(90° - x)", "Ry(90° - y)", "Rz(90° - z)"],
             (AngleUnits::Radians, true) => ["Rx(-x)", "Ry(-y)", "Rz(-z)"],
             (AngleUnits::Radians, false) => ["Rx", "Ry", "Rz"],
         };
