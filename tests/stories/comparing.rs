@@ -320,46 +320,72 @@ fn a_character_that_is_moved_turned_or_scaled_is_told_as_a_whole_beside_what_sta
     }
 }
 
-#[test]
-fn the_courses_character_is_told_as_a_whole_though_nothing_of_its_root_is_seen() {
-    // It has no weights for the root, and hardly a vertex that the chest moves alone.
+/// The course's character beside another shape in a look, compared with a picture of it; `None` without the reference data. It
+/// has no weights for the root, and hardly a vertex that the chest or the waist moves alone.
+fn course_character_beside_shape(look: Look) -> Option<Story> {
     let mut host = MemoryHost {
         stored: [crate::stories::started_before()].into(),
         ..MemoryHost::default()
     };
     for extension in ["obj", "skel", "attach"] {
         let name = format!("Model1.{extension}");
-        let Some(path) = course(&format!("characters/{name}")) else {
-            return;
-        };
-        let bytes = std::fs::read(path).unwrap();
+        let bytes = std::fs::read(course(&format!("characters/{name}"))?).unwrap();
         host.files.insert(format!("models/{name}").into(), bytes);
     }
+    let mut story = Story::start_at(host, &["models/Model1.obj", "builtin:goblet"]);
+    story.size = (1000, 1300);
+    let seen = vec![Action::View(View::SetLook(look))];
+    story.program.carry_out(seen, &mut story.host);
+    story.settle();
+    story.click("[1] Model1 (ID: 1)");
+    compare_with_itself(&mut story, (640, 480));
+    judge(&mut story);
+    Some(story)
+}
+
+#[test]
+fn the_courses_character_is_told_as_a_whole_though_nothing_of_its_root_is_seen() {
     for look in [Look::Course, Look::Studio] {
         for (field, value) in [
             ("Position X", "0.04"),
             ("Rotation Y", "30"),
             ("Uniform Scale", "0.8"),
         ] {
-            let host = MemoryHost {
-                files: host.files.clone(),
-                stored: host.stored.clone(),
-                ..MemoryHost::default()
+            let Some(mut story) = course_character_beside_shape(look) else {
+                return;
             };
-            let mut story = Story::start_at(host, &["models/Model1.obj", "builtin:goblet"]);
-            story.size = (1000, 1300);
-            let seen = vec![Action::View(View::SetLook(look))];
-            story.program.carry_out(seen, &mut story.host);
-            story.settle();
-            story.click("[1] Model1 (ID: 1)");
-            compare_with_itself(&mut story, (640, 480));
-            judge(&mut story);
             story.type_into(field, value);
             judge(&mut story);
             let texts = texts(&story);
             assert_eq!(whole(&story), ["Model1"], "{look:?} {field}: {texts:?}");
             assert_eq!(places(&story), [""; 0], "{look:?} {field}: {texts:?}");
         }
+    }
+}
+
+#[test]
+fn limbs_that_a_joint_of_the_trunk_may_turn_are_told_with_it() {
+    let instead =
+        "Right leg and Left leg hang on Waist and Chest: one of these may be turned instead.";
+    for (field, value, is_of_trunk) in [
+        ("Waist Z", "15", true),
+        ("Chest Y", "25", true),
+        ("Left leg Z", "25", false),
+    ] {
+        let Some(mut story) = course_character_beside_shape(Look::Course) else {
+            return;
+        };
+        story.type_into(field, value);
+        judge(&mut story);
+        let mut told = places(&story);
+        told.sort_unstable();
+        let legs: &[&str] = match is_of_trunk {
+            true => &["Left leg", "Right leg"],
+            false => &["Left leg"],
+        };
+        let texts = texts(&story);
+        assert_eq!(told, legs, "{field}: {texts:?}");
+        assert_eq!(has_text(&story, instead), is_of_trunk, "{field}: {texts:?}");
     }
 }
 

@@ -15,6 +15,8 @@ pub(super) struct Place {
     pub area: Area,
     /// Whether it is a part of the scene, so that the camera is right.
     pub is_part: bool,
+    /// What else may be behind it, in a sentence.
+    pub instead: Option<String>,
 }
 
 /// The places that were found last. They stay as long as nothing changes of what they follow from: to find them takes longer
@@ -80,6 +82,7 @@ fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> 
         },
         area: part.area,
         is_part: true,
+        instead: part.instead,
     });
     places.collect()
 }
@@ -109,6 +112,7 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
             told,
             area,
             is_part: false,
+            instead: None,
         }
     });
     places.collect()

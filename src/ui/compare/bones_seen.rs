@@ -37,10 +37,19 @@ impl BoneSeen {
 impl CharacterSeen<'_> {
     /// Name of a joint, with the character's if there are several.
     pub fn name_of(&self, joint: usize) -> String {
-        let joint = &self.joints[joint].name;
+        self.of_character(&self.joints[joint].name)
+    }
+
+    /// Names of joints, with the character's if there are several.
+    pub fn names_of(&self, joints: &[usize]) -> String {
+        let names: Vec<&str> = joints.iter().map(|&it| &*self.joints[it].name).collect();
+        self.of_character(&names.join(" and "))
+    }
+
+    fn of_character(&self, joints: &str) -> String {
         match self.name {
-            Some(name) => format!("{joint} of {name}"),
-            None => joint.clone(),
+            Some(name) => format!("{joints} of {name}"),
+            None => joints.to_owned(),
         }
     }
 }

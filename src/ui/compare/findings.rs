@@ -161,6 +161,9 @@ pub(super) fn findings(
 fn links(ui: &mut Ui, places: &[Place], outlined: &mut Outlined) {
     for place in places {
         link(ui, &place.told, place.area, outlined);
+        if let Some(instead) = &place.instead {
+            say(ui, instead, ui.visuals().text_color());
+        }
     }
 }
 

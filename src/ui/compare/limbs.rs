@@ -2,7 +2,7 @@
 
 use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
 use super::owned::Owned;
-use super::turned::{Turned, above, turned};
+use super::turned::{Instead, Turned, above, turned};
 use crate::editor::Session;
 use crate::math::distance_from_segment;
 use crate::scene::ShapeId;
@@ -18,6 +18,10 @@ pub(super) struct Limb {
     /// Name of the joint, with the character's if there are several.
     pub name: String,
     pub body: Body,
+    /// Joint that turns it.
+    turned_by: usize,
+    /// What else may be turned, in a sentence.
+    pub instead: Option<String>,
     /// Where the joint is.
     joint: Vec2,
 }
@@ -36,6 +40,8 @@ pub(super) struct Limbs<'a> {
     /// What is seen where.
     pub owned: Owned<'a>,
     pub all: Vec<Limb>,
+    /// What joints move that may be turned instead, besides limbs.
+    pub trunks: Vec<Body>,
     /// Characters of which more than limbs differs.
     pub whole: Vec<ShapeId>,
     /// Whether something that is seen stands still, so that the camera is where it was.
@@ -80,6 +86,7 @@ pub(super) fn limbs<'a>(session: &'a Session, pixels: [&[Vec2]; 2], size: Vec2) 
     let owned = Owned::new(session, pixels, size);
     let mut limbs = Limbs {
         all: Vec::new(),
+        trunks: Vec::new(),
         whole: Vec::new(),
         is_camera_right: owned.has_still(),
         owned,
@@ -89,11 +96,44 @@ pub(super) fn limbs<'a>(session: &'a Session, pixels: [&[Vec2]; 2], size: Vec2) 
         let turned = turned(&character, pixels, &limbs.owned, (size, scale));
         limbs.is_camera_right |= turned.is_none_of_known();
         match limbs_of(&character, &turned, scale) {
-            Some(of_character) if !turned.is_whole => limbs.all.extend(of_character),
+            Some(mut of_character) if !turned.is_whole => {
+                for instead in &turned.instead {
+                    let bones = character.bones.iter();
+                    let of_trunk = bones.filter(|bone| instead.joints.contains(&bone.joint));
+                    limbs.trunks.push(Body {
+                        lines: of_trunk.filter_map(BoneSeen::line).collect(),
+                        thick: THICK * scale,
+                    });
+                    let mut last = of_character.iter_mut().rev();
+                    let last = last.find(|limb| instead.limbs.contains(&limb.turned_by));
+                    if let Some(limb) = last {
+                        limb.instead = Some(in_words(instead, &character));
+                    }
+                }
+                limbs.all.extend(of_character);
+            }
             _ => limbs.whole.push(character.shape),
         }
     }
     limbs
+}
+
+/// What may be turned instead of limbs.
+fn in_words(instead: &Instead, character: &CharacterSeen) -> String {
+    let limbs = character.names_of(&instead.limbs);
+    let hang = if instead.limbs.len() == 1 {
+        "hangs"
+    } else {
+        "hang"
+    };
+    let it = if instead.joints.len() == 1 {
+        "that"
+    } else {
+        "one of these"
+    };
+    let joints = instead.joints.iter().map(|&it| &*character.joints[it].name);
+    let joints = joints.collect::<Vec<&str>>().join(" and ");
+    format!("{limbs} {hang} on {joints}: {it} may be turned instead.")
 }
 
 /// Those of one character of which these joints are `turned`; `None` where a root is.
@@ -121,6 +161,8 @@ fn limbs_of(character: &CharacterSeen, turned: &Turned, scale: f32) -> Option<Ve
                         thick: THICK * scale,
                     },
                     joint: start,
+                    turned_by: top,
+                    instead: None,
                 };
                 limbs.push((top, limb));
             }

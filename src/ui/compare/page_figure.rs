@@ -72,6 +72,7 @@ impl FigureTold {
                     told,
                     area,
                     is_part: false,
+                    instead: None,
                 }],
                 is_elsewhere: is_much,
                 is_sure,

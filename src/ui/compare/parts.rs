@@ -23,6 +23,8 @@ pub(super) struct Part {
     pub name: String,
     /// Whether it is a character, of which more than limbs differs.
     pub is_character: bool,
+    /// What else may be turned in place of a limb, in a sentence.
+    pub instead: Option<String>,
     /// The area round what is off of it in either picture.
     pub area: Area,
     /// Share of the figure that this is, in percent.
@@ -54,6 +56,13 @@ impl Seen<'_> {
 
     fn is_character(&self) -> bool {
         matches!(self, Self::Shape(shape) if shape.is_character)
+    }
+
+    fn instead(&self) -> Option<String> {
+        match self {
+            Self::Limb(limb) => limb.instead.clone(),
+            Self::Shape(_) => None,
+        }
     }
 
     fn name(self) -> String {
@@ -89,8 +98,10 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     };
     let of_ours = ours.iter().map(|&pixel| (pixel, nearest(pixel, &|_| true)));
     let of_ours: Vec<_> = of_ours.collect();
-    let is_explained = |(_, nearest): &&(Vec2, Option<(usize, f32)>)| {
+    let is_explained = |(pixel, nearest): &&(Vec2, Option<(usize, f32)>)| {
+        let mut trunks = limbs.trunks.iter();
         nearest.is_some_and(|(_, distance)| distance <= 1.0)
+            || trunks.any(|trunk| trunk.distance(*pixel) <= 1.0)
     };
     let explained = of_ours.iter().filter(is_explained).count() as f32;
     if explained < EXPLAINED * ours.len() as f32 {
@@ -122,6 +133,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         Some(Part {
             area: Area::around(pixels)?,
             is_character: seen.is_character(),
+            instead: seen.instead(),
             name: seen.name(),
             percent,
         })

@@ -93,6 +93,16 @@ pub(super) struct Turned {
     pub is_whole: bool,
     /// Whether some joints are known not to be turned.
     has_right: bool,
+    /// What may be turned instead.
+    pub instead: Vec<Instead>,
+}
+
+/// Joints of the trunk of which too little is seen, one of which may be turned instead of all limbs that hang on it.
+pub(super) struct Instead {
+    /// The joints, from the limbs up.
+    pub joints: Vec<usize>,
+    /// The joints that turn the limbs.
+    pub limbs: Vec<usize>,
 }
 
 impl Turned {
@@ -137,9 +147,56 @@ pub(super) fn turned(
     let off_besides = owned.off_of(character.shape, hangs_on_none);
     Turned {
         is_whole: !has_right && off_besides.is_some_and(|off| off >= WHOLE_IS_OFF),
+        instead: instead(character, &told, &joints),
         joints,
         has_right,
     }
+}
+
+/// What may be turned instead of joints that are.
+fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Instead> {
+    let parent = |joint: usize| character.joints[joint].parent;
+    let hangs_on = |joint: usize, on: usize| above(character, joint).skip(1).any(|it| it == on);
+    let is_known = |joint: usize| {
+        let mut own = told.iter().filter(|told| told.bone.joint == joint);
+        own.any(Told::is_known)
+    };
+    let is_last = |joint: usize| {
+        !told
+            .iter()
+            .any(|told| parent(told.bone.joint) == Some(joint))
+    };
+    let mut all: Vec<Instead> = Vec::new();
+    // A joint comes before those that hang on it, so that from the end these come first.
+    for joint in (0..character.joints.len()).rev() {
+        if parent(joint).is_none() || turned[joint] || is_known(joint) {
+            continue;
+        }
+        let below = || told.iter().filter(|told| hangs_on(told.bone.joint, joint));
+        let ends = below().filter(|told| is_last(told.bone.joint)).count();
+        let is_right = |told: &Told| {
+            let mut above = above(character, told.bone.joint).take_while(|it| *it != joint);
+            told.is_known() && !above.any(|it| turned[it])
+        };
+        // A limb hangs on few that are seen as little, such as a collarbone; what other limbs hang on as well is the trunk.
+        if ends < 2 || below().any(is_right) {
+            continue;
+        }
+        let is_top = |limb: &usize| {
+            let mut above = above(character, *limb).skip(1);
+            turned[*limb] && hangs_on(*limb, joint) && !above.any(|it| turned[it])
+        };
+        let limbs: Vec<usize> = (0..turned.len()).filter(is_top).collect();
+        match all.iter_mut().find(|known| known.limbs == limbs) {
+            _ if limbs.is_empty() => {}
+            Some(known) => known.joints.push(joint),
+            None => all.push(Instead {
+                joints: vec![joint],
+                limbs,
+            }),
+        }
+    }
+    all
 }
 
 fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
