@@ -374,7 +374,7 @@ fn a_mistake_of_the_whole_program_is_named_in_a_picture_too() {
         (begun, "sum-begun-at-rest"),
     ] {
         let folder = folder_with(&figure, &places);
-        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,4.3", "");
+        let found = diagnosed(&folder, "builtin:adult", "a.png", "--camera 80,10,6", "");
         assert_eq!(found["verdict"], "explained", "{id}: {found}");
         let causes = found["causes"].as_array().unwrap();
         assert!(causes.contains(&json!(id)), "{id}: {found}");
