@@ -28,6 +28,8 @@ pub struct FigureOff {
     pub theirs: Vec<[u32; 2]>,
     /// The same of what is right in B.
     pub right: Vec<[u32; 2]>,
+    /// How many pixels they are apart, along rows and columns, from the top left pixel on.
+    pub apart: u32,
     /// Whether the figure is told from what is behind it. Otherwise all of the picture counts as the figure.
     pub has_outline: bool,
 }
@@ -65,6 +67,7 @@ impl FigureOff {
             ours: spread(ours),
             theirs: spread(theirs),
             right: spread(right),
+            apart,
             has_outline,
         })
     }

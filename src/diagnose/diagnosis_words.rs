@@ -194,14 +194,6 @@ impl Diagnosis {
         let close = self.nearly_right() == Some(NearlyRight::Close);
         let close = close.then(|| within_everywhere(self.error_from_exact));
         let mut found: Vec<String> = close.into_iter().collect();
-        if self.no_numbers > 0 {
-            let others = if self.no_numbers == self.off {
-                ", and all others are right"
-            } else {
-                ""
-            };
-            found.push(format!("{}{others}", no_numbers::in_words(self.no_numbers)));
-        }
         let as_in_file = "it is the mesh at rest as the character's file has it, not skinned";
         found.extend(self.is_as_in_file.then(|| as_in_file.to_owned()));
         found.extend(self.findings.iter().map(ToString::to_string));
@@ -221,6 +213,15 @@ impl Diagnosis {
         }
         if self.nearly_right() == Some(NearlyRight::ButForFew) {
             found.push(format!("all but {} of its vertices are right", self.off));
+        }
+        if self.no_numbers > 0 {
+            let are_all = self.nearly_right().is_none() && self.no_numbers == self.off;
+            let others = if are_all {
+                ", and all others are right"
+            } else {
+                ""
+            };
+            found.push(format!("{}{others}", no_numbers::in_words(self.no_numbers)));
         }
         found.extend(self.not_reached.as_ref().map(|left| {
             format!("the vertices {left}, as where the loop over them does not come to all, or some have no weights")

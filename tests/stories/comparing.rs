@@ -350,6 +350,8 @@ fn the_courses_character_is_told_as_a_whole_though_nothing_of_its_root_is_seen()
             ("Position X", "0.04"),
             ("Rotation Y", "30"),
             ("Uniform Scale", "0.8"),
+            // Towards the eye.
+            ("Position Z", "0.2"),
         ] {
             let Some(mut story) = course_character_beside_shape(look) else {
                 return;
@@ -404,6 +406,16 @@ fn a_limb_and_shapes_are_told_though_together_they_are_half_of_what_is_drawn() {
         judge(&mut story);
         let mut told = places(&story);
         told.sort_unstable();
+        // In what way shapes differ is said.
+        for how in ["Near Gem, in about ", "Near Goblet, in about "] {
+            let texts = texts(&story);
+            let text = texts.iter().find(|text| text.starts_with(how)).expect(how);
+            let is_color =
+                text.ends_with(": its outline agrees, so that its color or light differs.");
+            let is_place = text.ends_with(": it is moved, turned or scaled.");
+            let expected = (how.contains("Gem"), how.contains("Goblet"));
+            assert_eq!((is_color, is_place), expected, "{look:?} {text}");
+        }
         assert_eq!(
             told,
             ["Gem", "Goblet", "Right shoulder"],

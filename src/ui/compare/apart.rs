@@ -1,6 +1,6 @@
 //! Places apart from one another in which pictures differ.
 
-use super::parts::{of_shapes, parts};
+use super::parts::{How, Part, of_shapes, parts};
 use super::place::{near, place, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
@@ -78,13 +78,25 @@ fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> 
     let places = parts.map(|part| Place {
         told: match part.is_character {
             true => whole(&part.name, &about(part.percent)),
-            false => near(&part.name, &about(part.percent)),
+            false => shape_or_limb(&part),
         },
         area: part.area,
         is_part: true,
         instead: part.instead,
     });
     places.collect()
+}
+
+/// Sentence about a shape or a limb that differs.
+fn shape_or_limb(part: &Part) -> String {
+    let near = near(&part.name, &about(part.percent));
+    let how = match part.how {
+        Some(How::Color) => "its outline agrees, so that its color or light differs",
+        Some(How::Place) => "it is moved, turned or scaled",
+        Some(How::Missing) => "A shows nothing in its place",
+        None => return near,
+    };
+    format!("{}: {how}.", near.trim_end_matches('.'))
 }
 
 /// Most places apart from one another that are told one by one, …

@@ -1,8 +1,10 @@
 //! Which limbs of a figure differ, by the bones of the characters in view.
 
 use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
+use super::elsewhere::is_elsewhere;
 use super::owned::Owned;
 use super::turned::{Instead, Turned, above, turned};
+use crate::compare::FigureOff;
 use crate::editor::Session;
 use crate::math::distance_from_segment;
 use crate::scene::ShapeId;
@@ -81,8 +83,13 @@ fn scale(character: &CharacterSeen, height: f32) -> f32 {
 }
 
 /// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones which are at
-/// `pixels` that are off, while others are at such that are right.
-pub(super) fn limbs<'a>(session: &'a Session, pixels: [&[Vec2]; 2], size: Vec2) -> Limbs<'a> {
+/// `pixels` that are `off`, while others are at such that are right.
+pub(super) fn limbs<'a>(
+    session: &'a Session,
+    off: &FigureOff,
+    pixels: [&[Vec2]; 2],
+    size: Vec2,
+) -> Limbs<'a> {
     let owned = Owned::new(session, pixels, size);
     let mut limbs = Limbs {
         all: Vec::new(),
@@ -95,8 +102,14 @@ pub(super) fn limbs<'a>(session: &'a Session, pixels: [&[Vec2]; 2], size: Vec2) 
         let scale = scale(&character, size.y);
         let turned = turned(&character, pixels, &limbs.owned, (size, scale));
         limbs.is_camera_right |= turned.is_none_of_known();
-        match limbs_of(&character, &turned, scale) {
-            Some(mut of_character) if !turned.is_whole => {
+        let of_character = limbs_of(&character, &turned, scale).filter(|of_character| {
+            let may_be_elsewhere = of_character.len() > 1 && limbs.is_camera_right;
+            let is_elsewhere =
+                || may_be_elsewhere && is_elsewhere(&limbs.owned, character.shape, off, size);
+            !turned.is_whole && !is_elsewhere()
+        });
+        match of_character {
+            Some(mut of_character) => {
                 for instead in &turned.instead {
                     let bones = character.bones.iter();
                     let of_trunk = bones.filter(|bone| instead.joints.contains(&bone.joint));
@@ -112,7 +125,7 @@ pub(super) fn limbs<'a>(session: &'a Session, pixels: [&[Vec2]; 2], size: Vec2) 
                 }
                 limbs.all.extend(of_character);
             }
-            _ => limbs.whole.push(character.shape),
+            None => limbs.whole.push(character.shape),
         }
     }
     limbs

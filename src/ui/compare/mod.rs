@@ -6,6 +6,7 @@
 mod across;
 mod apart;
 mod bones_seen;
+mod elsewhere;
 mod findings;
 mod hints;
 mod limbs;

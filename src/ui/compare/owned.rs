@@ -80,6 +80,12 @@ impl<'a> Owned<'a> {
         seen_by(scene, evaluated, &ray)
     }
 
+    /// Whether the mesh of a character is seen at a pixel.
+    pub fn is_seen_at(&self, [x, y]: [u32; 2], character: ShapeId) -> bool {
+        let seen = self.seen_at(Vec2::new(x as f32, y as f32));
+        matches!(seen, Some(Seen::Mesh(shape, _)) if shape == character)
+    }
+
     /// What is known of a joint of a shape.
     pub fn of(&self, shape: ShapeId, joint: usize) -> Ownership {
         let counts = self.own.get(&(shape, joint));

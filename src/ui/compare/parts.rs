@@ -6,6 +6,7 @@ use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use crate::scene::{EvaluatedShape, ShapeId};
 use glam::Vec2;
+use std::collections::HashSet;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
@@ -23,12 +24,50 @@ pub(super) struct Part {
     pub name: String,
     /// Whether it is a character, of which more than limbs differs.
     pub is_character: bool,
+    /// How a shape differs.
+    pub how: Option<How>,
     /// What else may be turned in place of a limb, in a sentence.
     pub instead: Option<String>,
     /// The area round what is off of it in either picture.
     pub area: Area,
     /// Share of the figure that this is, in percent.
     pub percent: f64,
+}
+
+/// How a shape differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum How {
+    /// It covers what it should, in other colors.
+    Color,
+    /// It covers something else.
+    Place,
+    /// The other picture has nothing there.
+    Missing,
+}
+
+/// Share of the pixels that a shape covers in both pictures from which on it is where it should be, …
+const SAME_PLACE: f64 = 0.95;
+/// … and up to which it is elsewhere: one that is turned in its place covers much of what it did.
+const OTHER_PLACE: f64 = 0.9;
+
+/// Share of what it covers that the other picture shows something at which has nothing there.
+const NOTHING: f64 = 0.02;
+
+/// How a shape differs that is off at these pixels of the live view, and at those of the other picture.
+fn how(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> Option<How> {
+    if (theirs.len() as f64) < NOTHING * ours.len() as f64 {
+        return Some(How::Missing);
+    }
+    let of_theirs: HashSet<_> = theirs.iter().collect();
+    let both = ours
+        .iter()
+        .filter(|pixel| of_theirs.contains(pixel))
+        .count() as f64;
+    match both / ours.len().max(theirs.len()).max(1) as f64 {
+        SAME_PLACE.. => Some(How::Color),
+        ..=OTHER_PLACE => Some(How::Place),
+        _ => None,
+    }
 }
 
 /// What may be a part.
@@ -79,7 +118,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right]
         .map(|all| -> Vec<Vec2> { all.iter().map(at).collect() });
-    let limbs = limbs(session, [&ours, &right], size);
+    let limbs = limbs(session, off, [&ours, &right], size);
     let is_camera_right = limbs.is_camera_right;
     // What a root turns is all of the figure, as what a camera shows that is elsewhere.
     if !limbs.whole.is_empty() && !is_camera_right {
@@ -111,7 +150,14 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         .iter()
         .map(|&pixel| (pixel, nearest(pixel, &|it| it.may_have_been_at(pixel))));
     let mut pixels = vec![Vec::new(); seen.len()];
-    for (pixel, nearest) in of_ours.into_iter().chain(of_theirs) {
+    let mut of_ours_alone = vec![0; seen.len()];
+    for (pixel, nearest) in of_ours {
+        if let Some((part, _)) = nearest {
+            pixels[part].push((pixel.x as u32, pixel.y as u32));
+            of_ours_alone[part] += 1;
+        }
+    }
+    for (pixel, nearest) in of_theirs {
         if let Some((part, _)) = nearest {
             pixels[part].push((pixel.x as u32, pixel.y as u32));
         }
@@ -126,13 +172,18 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     };
     // The figure is as large in both pictures.
     let of_both = 2.0 * (ours.len() + right.len()) as f64;
-    let parts = seen.into_iter().zip(pixels);
-    let parts = parts.filter(|(seen, pixels)| !is_covered(seen, pixels.len()));
-    let parts = parts.filter_map(|(seen, pixels)| {
+    let parts = seen.into_iter().zip(pixels).zip(of_ours_alone);
+    let parts = parts.filter(|((seen, pixels), _)| !is_covered(seen, pixels.len()));
+    let parts = parts.filter_map(|((seen, pixels), of_ours)| {
+        let how = match seen {
+            Seen::Shape(_) => how(&pixels[..of_ours], &pixels[of_ours..]),
+            Seen::Limb(_) => None,
+        };
         let percent = 100.0 * pixels.len() as f64 / of_both;
         Some(Part {
             area: Area::around(pixels)?,
             is_character: seen.is_character(),
+            how,
             instead: seen.instead(),
             name: seen.name(),
             percent,
