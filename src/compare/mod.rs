@@ -15,6 +15,7 @@ mod filters;
 mod flip;
 mod mesh;
 mod other_background;
+mod outlines;
 mod pair;
 mod picture_comparison;
 mod place;
@@ -34,6 +35,7 @@ pub use mesh::{
     WorstVertex, compare_meshes, permutation,
 };
 pub(crate) use mesh::{nearest_rotation, placement};
+pub use outlines::outline_placement;
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
 pub use place::about;

@@ -69,14 +69,15 @@ pub struct Diagnosis {
     pub agrees: f64,
     /// The same among the vertices that the pose moves; 1 where it moves none.
     pub moved_agree: f64,
-    /// Share of the vertices that a loop comes to; 1 unless it leaves some at an end where they were.
+    /// Share of the vertices that a loop comes to, or that have weights; 1 unless some are left where they were or at the
+    /// origin.
     pub reached: f64,
     /// Whether it is the mesh at rest as the character's file has it, where that is asked for: nearly right, since the
     /// weights do not quite sum to 1.
     pub is_as_in_file: bool,
     /// How many vertices are no numbers (nan or infinite).
     pub no_numbers: usize,
-    /// Of a mesh that is nearly right, in words which vertices at an end are where they were before.
+    /// Of a mesh that is nearly right, in words which vertices at an end are where they were before, or which are at the origin.
     pub not_reached: Option<String>,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
     /// unless nothing explains the mesh.

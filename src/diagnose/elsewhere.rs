@@ -5,7 +5,6 @@ use super::model::Model;
 use super::silhouette::{DRAWN, Samples, Silhouette};
 use super::skin::Skinner;
 use crate::character::Pose;
-use crate::compare::{Finding, Pair};
 use crate::geometry::Picture;
 use glam::{DMat4, DVec3};
 
@@ -24,8 +23,5 @@ pub(super) fn find(
     let (width, height) = (picture.width, picture.height);
     let samples = Samples::new(width, height, width.max(height));
     let exact = Silhouette::of_mesh(&points, model.triangles(), clip_from_model, samples);
-    let theirs = Silhouette::of_picture(picture, samples, DRAWN);
-    let [exact, theirs] = [exact, theirs].map(|silhouette| silhouette.painted());
-    let pair = Pair::new(&exact, &theirs, &[]).ok()?;
-    pair.findings().iter().find_map(Finding::placement)
+    Silhouette::of_picture(picture, samples, DRAWN).placement_of(&exact)
 }

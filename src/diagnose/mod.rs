@@ -94,7 +94,7 @@ use crate::steps::{Pace, at_once};
 use findings::Findings;
 use glam::{DVec3, Vec3};
 use model::Model;
-use of_angles::{ANGLE_REPEATED, ONLY_ONE_AXIS};
+use of_angles::TOLD_LAST;
 use precision::Written;
 use search::{Alone, Explanation, Search};
 use std::rc::Rc;
@@ -334,9 +334,7 @@ async fn sought(
         explanations.extend(found.into_iter().map(|it| it.of_order(order)));
     } else if order == VertexOrder::File {
         let as_well = made_alone::as_well(search, order, pace).await;
-        // What is used twice, or alone, is told only where nothing simpler gives the same.
-        let is_simple =
-            |it: &Explanation| it.ids() != [ANGLE_REPEATED.id] && it.ids() != [ONLY_ONE_AXIS.id];
+        let is_simple = |it: &Explanation| TOLD_LAST.iter().all(|last| it.ids() != [last.id]);
         explanations.extend(as_well.into_iter().filter(is_simple));
     }
     if explanations.is_empty() {

@@ -5,6 +5,9 @@ use super::formula::{
 };
 use super::mistake::{Mistake, SLIDERS, SSD, reading};
 
+/// Mistakes that are told only where nothing simpler gives the same: an angle that is used twice, or alone.
+pub(super) static TOLD_LAST: [&Mistake; 2] = [&ONLY_ONE_AXIS, &ANGLE_REPEATED];
+
 /// The ways to use angles about other axes: those that are used about X, Y and Z, 0 for that about X.
 macro_rules! axes {
     ($($how:literal = $axes:expr),+) => {

@@ -1,6 +1,6 @@
 //! Silhouettes: which pixels of a picture a figure covers.
 
-use crate::compare::Area;
+use crate::compare::{Area, outline_placement};
 use crate::geometry::Picture;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use std::collections::HashMap;
@@ -220,17 +220,9 @@ impl Silhouette {
         }
     }
 
-    /// What is covered as a picture, white on black, which is as large as the picture where each pixel is a sample.
-    pub(super) fn painted(&self) -> Picture {
-        let rgba = self.is_covered.iter().flat_map(|is_covered| {
-            let value = if *is_covered { 255 } else { 0 };
-            [value, value, value, 255]
-        });
-        Picture {
-            width: self.samples.columns as u32,
-            height: self.samples.rows as u32,
-            rgba: rgba.collect(),
-        }
+    /// How `exact` is placed in this one, in words, by samples; `None` if it is where it should be, or not there.
+    pub(super) fn placement_of(&self, exact: &Self) -> Option<String> {
+        outline_placement(self.samples.columns, &exact.is_covered, &self.is_covered)
     }
 
     /// Whether nothing is covered.

@@ -5,7 +5,7 @@ use super::found_otherwise::{ANGLES_SCALED, SUM_NOT_RESET};
 use super::made_alone::MadeAlone;
 use super::misread_rows;
 use super::mistake::Mistake;
-use super::of_angles::{ANGLE_REPEATED, ONLY_ONE_AXIS, ROTATION_REPEATED};
+use super::of_angles::{ROTATION_REPEATED, TOLD_LAST};
 use super::of_weighted_sum::LAST_RESULT_SKINNED;
 use super::of_whole_program::OF_WHOLE_PROGRAM;
 use super::search::{AT_ONCE, Explanation, Search};
@@ -39,7 +39,7 @@ pub(super) async fn find(
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
     for mistake in OF_WHOLE_PROGRAM.into_iter().chain([&SUM_NOT_RESET]) {
-        let is_last = [ANGLE_REPEATED.id, ONLY_ONE_AXIS.id].contains(&mistake.id);
+        let is_last = TOLD_LAST.iter().any(|last| std::ptr::eq(mistake, *last));
         if is_last && !found.is_empty() {
             continue;
         }
@@ -234,25 +234,12 @@ fn told_factor(factor: f64) -> String {
 
 /// That the sum goes on from vertex to vertex.
 async fn sum_not_reset(search: &Search<'_>, exact: &[Placed], pace: &Pace) -> Option<Explanation> {
-    let (mut before, mut largest) = (DVec3::ZERO, 0.0_f64);
-    let mut error = 0.0_f64;
-    for (vertex, (&theirs, exact)) in search.theirs.iter().zip(exact).enumerate() {
-        largest = largest.max(theirs.abs().max_element());
-        let distance = exact.distance(theirs - before) - ROUNDING_OF_SUMS * largest;
-        if distance.is_nan() || distance > search.tolerance {
-            return None;
-        }
-        error = error.max(distance);
-        before = theirs;
-        if vertex % AT_ONCE == AT_ONCE - 1 {
-            pace.after(AT_ONCE).await;
-        }
-    }
-    Some(Explanation {
-        made: vec![Made::by_numbers(&SUM_NOT_RESET)],
-        error,
-        how: Some("from vertex to vertex".to_owned()),
-    })
+    let mut before = DVec3::ZERO;
+    let distance = |vertex: usize, theirs: DVec3| {
+        let own = theirs - std::mem::replace(&mut before, theirs);
+        exact[vertex].distance(own)
+    };
+    goes_on(search, distance, "from vertex to vertex", pace).await
 }
 
 /// That the weighted sum of matrices, by which a vertex is multiplied then, goes on from vertex to vertex.
@@ -260,16 +247,30 @@ async fn matrix_not_reset(search: &Search<'_>, pace: &Pace) -> Option<Explanatio
     let exact = Formula::default();
     let mut skinner = search.skinner(&exact)?;
     let (mut linear, mut translation) = (DMat3::ZERO, DVec3::ZERO);
-    let (mut largest, mut error) = (0.0_f64, 0.0_f64);
-    for (vertex, &theirs) in search.theirs.iter().enumerate() {
+    let distance = |vertex: usize, theirs: DVec3| {
         let bind = search.model.positions[search.model.source(exact.vertex_order, vertex).position];
         let (own, placed) = (skinner.linear(vertex), skinner.place(vertex));
         if !placed.is_unweighted {
             linear += own;
             translation += placed.at - own * bind;
         }
+        theirs.distance(linear * bind + translation)
+    };
+    let how = "that of matrices, from vertex to vertex";
+    goes_on(search, distance, how, pace).await
+}
+
+/// That something goes on from vertex to vertex, if by `distance` each is as near to where that puts it as rounding leaves it.
+async fn goes_on(
+    search: &Search<'_>,
+    mut distance: impl FnMut(usize, DVec3) -> f64,
+    how: &str,
+    pace: &Pace,
+) -> Option<Explanation> {
+    let (mut largest, mut error) = (0.0_f64, 0.0_f64);
+    for (vertex, &theirs) in search.theirs.iter().enumerate() {
         largest = largest.max(theirs.abs().max_element());
-        let distance = theirs.distance(linear * bind + translation) - ROUNDING_OF_SUMS * largest;
+        let distance = distance(vertex, theirs) - ROUNDING_OF_SUMS * largest;
         if distance.is_nan() || distance > search.tolerance {
             return None;
         }
@@ -281,6 +282,6 @@ async fn matrix_not_reset(search: &Search<'_>, pace: &Pace) -> Option<Explanatio
     Some(Explanation {
         made: vec![Made::by_numbers(&SUM_NOT_RESET)],
         error,
-        how: Some("that of matrices, from vertex to vertex".to_owned()),
+        how: Some(how.to_owned()),
     })
 }

@@ -1,6 +1,6 @@
 //! Places apart from one another in which pictures differ.
 
-use super::parts::{How, Part, of_shapes, parts};
+use super::parts::{How, Kind, of_shapes, parts};
 use super::place::{near, place, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
@@ -75,28 +75,30 @@ impl KeptPlaces {
 
 fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
     let parts = parts(session, off, size).into_iter();
-    let places = parts.map(|part| Place {
-        told: match part.is_character {
-            true => whole(&part.name, &about(part.percent)),
-            false => shape_or_limb(&part),
-        },
-        area: part.area,
-        is_part: true,
-        instead: part.instead,
+    let places = parts.map(|part| {
+        let (name, share) = (&part.name, about(part.percent));
+        let (told, instead) = match part.kind {
+            Kind::Character => (whole(name, &share), None),
+            Kind::Shape(how) => (near(name, &share, how.map(in_words)), None),
+            Kind::Limb { instead } => (near(name, &share, None), instead),
+        };
+        Place {
+            told,
+            area: part.area,
+            is_part: true,
+            instead,
+        }
     });
     places.collect()
 }
 
-/// Sentence about a shape or a limb that differs.
-fn shape_or_limb(part: &Part) -> String {
-    let near = near(&part.name, &about(part.percent));
-    let how = match part.how {
-        Some(How::Color) => "its outline agrees, so that its color or light differs",
-        Some(How::Place) => "it is moved, turned or scaled",
-        Some(How::Missing) => "A shows nothing in its place",
-        None => return near,
-    };
-    format!("{}: {how}.", near.trim_end_matches('.'))
+/// How a shape differs.
+fn in_words(how: How) -> &'static str {
+    match how {
+        How::Color => "its outline agrees, so that its color or light differs",
+        How::Place => "it is moved, turned or scaled",
+        How::Missing => "A shows nothing in its place",
+    }
 }
 
 /// Most places apart from one another that are told one by one, …

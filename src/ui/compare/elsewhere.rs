@@ -1,8 +1,7 @@
 //! Whether a character stands elsewhere, by its outline in both pictures.
 
 use super::owned::Owned;
-use crate::compare::{FigureOff, Finding, Pair};
-use crate::geometry::Picture;
+use crate::compare::{FigureOff, outline_placement};
 use crate::scene::ShapeId;
 use glam::Vec2;
 
@@ -25,33 +24,19 @@ pub(super) fn is_elsewhere(owned: &Owned, character: ShapeId, off: &FigureOff, s
     let is_own = |&[x, y]: &[u32; 2]| owned.is_seen_at([x, y], character);
     let [ours, theirs, mut right] = [&off.ours, &off.theirs, &off.right].map(|all| of_grid(all));
     right.retain(is_own);
-    let grid = (
-        (size.x as u32).div_ceil(apart),
-        (size.y as u32).div_ceil(apart),
-    );
-    let painted = |off: &[[u32; 2]]| {
-        let mut picture = Picture {
-            width: grid.0,
-            height: grid.1,
-            rgba: [0, 0, 0, 255].repeat((grid.0 * grid.1) as usize),
-        };
+    let [columns, rows] = [size.x, size.y].map(|along| (along as u32).div_ceil(apart));
+    let covered = |off: &[[u32; 2]]| {
+        let mut covered = vec![false; (columns * rows) as usize];
         for pixel in off.iter().chain(&right) {
             let [x, y] = pixel.map(|at| at / apart);
             // With those beside it, between which edges are left out.
-            for y in y.saturating_sub(1)..(y + 2).min(grid.1) {
-                for x in x.saturating_sub(1)..(x + 2).min(grid.0) {
-                    let at = 4 * (y * grid.0 + x) as usize;
-                    picture.rgba[at..at + 3].fill(255);
+            for y in y.saturating_sub(1)..(y + 2).min(rows) {
+                for x in x.saturating_sub(1)..(x + 2).min(columns) {
+                    covered[(y * columns + x) as usize] = true;
                 }
             }
         }
-        picture
+        covered
     };
-    let [theirs, ours] = [theirs, ours].map(|off| painted(&off));
-    let Ok(pair) = Pair::new(&theirs, &ours, &[]) else {
-        return false;
-    };
-    pair.findings()
-        .iter()
-        .any(|finding| Finding::placement(finding).is_some())
+    outline_placement(columns as usize, &covered(&theirs), &covered(&ours)).is_some()
 }

@@ -91,19 +91,25 @@ pub(super) fn limbs<'a>(
     size: Vec2,
 ) -> Limbs<'a> {
     let owned = Owned::new(session, pixels, size);
+    let characters = characters_seen(session, size).into_iter();
+    let characters = characters.map(|character| {
+        let scale = scale(&character, size.y);
+        let turned = turned(&character, pixels, &owned, (size, scale));
+        (character, scale, turned)
+    });
+    let characters: Vec<_> = characters.collect();
+    let mut turned = characters.iter().map(|(.., turned)| turned);
+    let is_camera_right = owned.has_still() || turned.any(Turned::is_none_of_known);
     let mut limbs = Limbs {
         all: Vec::new(),
         trunks: Vec::new(),
         whole: Vec::new(),
-        is_camera_right: owned.has_still(),
+        is_camera_right,
         owned,
     };
-    for character in characters_seen(session, size) {
-        let scale = scale(&character, size.y);
-        let turned = turned(&character, pixels, &limbs.owned, (size, scale));
-        limbs.is_camera_right |= turned.is_none_of_known();
+    for (character, scale, turned) in characters {
         let of_character = limbs_of(&character, &turned, scale).filter(|of_character| {
-            let may_be_elsewhere = of_character.len() > 1 && limbs.is_camera_right;
+            let may_be_elsewhere = of_character.len() > 1 && is_camera_right;
             let is_elsewhere =
                 || may_be_elsewhere && is_elsewhere(&limbs.owned, character.shape, off, size);
             !turned.is_whole && !is_elsewhere()

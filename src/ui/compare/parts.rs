@@ -22,16 +22,22 @@ const MOST: usize = 6;
 pub(super) struct Part {
     /// Name of the joint, with the character's if there are several, or of the shape.
     pub name: String,
-    /// Whether it is a character, of which more than limbs differs.
-    pub is_character: bool,
-    /// How a shape differs.
-    pub how: Option<How>,
-    /// What else may be turned in place of a limb, in a sentence.
-    pub instead: Option<String>,
+    pub kind: Kind,
     /// The area round what is off of it in either picture.
     pub area: Area,
     /// Share of the figure that this is, in percent.
     pub percent: f64,
+}
+
+/// What a part is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kind {
+    /// A limb, with what else may be turned in its place in a sentence.
+    Limb { instead: Option<String> },
+    /// A shape without bones, and how it differs, as far as that is told.
+    Shape(Option<How>),
+    /// A character, of which more than limbs differs.
+    Character,
 }
 
 /// How a shape differs.
@@ -93,21 +99,20 @@ impl Seen<'_> {
         }
     }
 
-    fn is_character(&self) -> bool {
-        matches!(self, Self::Shape(shape) if shape.is_character)
-    }
-
-    fn instead(&self) -> Option<String> {
+    /// Its name, and what it is where these pixels of the live view are off, and those of the other picture.
+    fn told(self, [ours, theirs]: &[Vec<(u32, u32)>; 2]) -> (String, Kind) {
         match self {
-            Self::Limb(limb) => limb.instead.clone(),
-            Self::Shape(_) => None,
-        }
-    }
-
-    fn name(self) -> String {
-        match self {
-            Self::Limb(limb) => limb.name,
-            Self::Shape(shape) => shape.name.to_owned(),
+            Self::Limb(limb) => {
+                let instead = limb.instead;
+                (limb.name, Kind::Limb { instead })
+            }
+            Self::Shape(shape) => {
+                let kind = match shape.is_character {
+                    true => Kind::Character,
+                    false => Kind::Shape(how(ours, theirs)),
+                };
+                (shape.name.to_owned(), kind)
+            }
         }
     }
 }
@@ -149,43 +154,32 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let of_theirs = theirs
         .iter()
         .map(|&pixel| (pixel, nearest(pixel, &|it| it.may_have_been_at(pixel))));
-    let mut pixels = vec![Vec::new(); seen.len()];
-    let mut of_ours_alone = vec![0; seen.len()];
-    for (pixel, nearest) in of_ours {
+    let mut pixels = vec![[Vec::new(), Vec::new()]; seen.len()];
+    let of_ours = of_ours.into_iter().map(|of| (0, of));
+    let of_theirs = of_theirs.map(|of| (1, of));
+    for (picture, (pixel, nearest)) in of_ours.chain(of_theirs) {
         if let Some((part, _)) = nearest {
-            pixels[part].push((pixel.x as u32, pixel.y as u32));
-            of_ours_alone[part] += 1;
+            pixels[part][picture].push((pixel.x as u32, pixel.y as u32));
         }
     }
-    for (pixel, nearest) in of_theirs {
-        if let Some((part, _)) = nearest {
-            pixels[part].push((pixel.x as u32, pixel.y as u32));
-        }
-    }
-    let all = pixels.iter().map(Vec::len).sum::<usize>() as f64;
+    let count = |pixels: &[Vec<(u32, u32)>; 2]| pixels.iter().map(Vec::len).sum::<usize>() as f64;
+    let all: f64 = pixels.iter().map(count).sum();
     // What was before a shape is off there as well.
-    let is_covered = |seen: &Seen, count: usize| match seen {
-        Seen::Shape(shape) => {
-            (count as f64) < LITTLE * all && limbs.owned.is_mostly_right(shape.id)
-        }
+    let is_covered = |seen: &Seen, count: f64| match seen {
+        Seen::Shape(shape) => count < LITTLE * all && limbs.owned.is_mostly_right(shape.id),
         Seen::Limb(_) => false,
     };
     // The figure is as large in both pictures.
     let of_both = 2.0 * (ours.len() + right.len()) as f64;
-    let parts = seen.into_iter().zip(pixels).zip(of_ours_alone);
-    let parts = parts.filter(|((seen, pixels), _)| !is_covered(seen, pixels.len()));
-    let parts = parts.filter_map(|((seen, pixels), of_ours)| {
-        let how = match seen {
-            Seen::Shape(_) => how(&pixels[..of_ours], &pixels[of_ours..]),
-            Seen::Limb(_) => None,
-        };
-        let percent = 100.0 * pixels.len() as f64 / of_both;
+    let parts = seen.into_iter().zip(pixels);
+    let parts = parts.filter(|(seen, pixels)| !is_covered(seen, count(pixels)));
+    let parts = parts.filter_map(|(seen, pixels)| {
+        let percent = 100.0 * count(&pixels) / of_both;
+        let (name, kind) = seen.told(&pixels);
         Some(Part {
-            area: Area::around(pixels)?,
-            is_character: seen.is_character(),
-            how,
-            instead: seen.instead(),
-            name: seen.name(),
+            area: Area::around(pixels.concat())?,
+            name,
+            kind,
             percent,
         })
     });

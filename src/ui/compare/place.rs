@@ -19,14 +19,16 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
         nearest_joint(session, area, size)
     };
     match joint {
-        Some(joint) => near(&joint, &area.part_of(figure)),
+        Some(joint) => near(&joint, &area.part_of(figure), None),
         None => sentence(&area.place_in(figure)),
     }
 }
 
-/// Sentence about what is near `joint`, which is such a `part` of the figure in words.
-pub(super) fn near(joint: &str, part: &str) -> String {
-    sentence(&format!("near {joint}, in {part} of the figure"))
+/// Sentence about what is near a joint or a shape called `name`, which is such a `part` of the figure in words, and `how` it
+/// differs, if that is known.
+pub(super) fn near(name: &str, part: &str, how: Option<&str>) -> String {
+    let near = format!("near {name}, in {part} of the figure");
+    sentence(&how.map_or_else(|| near.clone(), |how| format!("{near}: {how}")))
 }
 
 /// Sentence about a character that differs as a whole, which is such a `part` of the figure in words.

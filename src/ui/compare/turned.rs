@@ -122,19 +122,17 @@ pub(super) fn turned(
     let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
     let reach = AT_BONE * scale;
     let parent = |joint: usize| character.joints[joint].parent;
-    let is_last = |joint: usize| {
-        let mut bones = character.bones.iter();
-        !bones.any(|bone| parent(bone.joint) == Some(joint))
-    };
     let told = character.bones.iter().map(|bone| {
         let (shape, joint) = (character.shape, bone.joint);
         match owned.of(shape, joint) {
             Ownership::Off(share) => Told::by_mesh(bone, share),
             // Where it is seen, and not hidden, the one above may move more.
-            Ownership::Little if is_last(joint) => Told::by_line(bone, &maps, reach, |at| {
-                let seen = owned.joint_at(at, shape);
-                seen.is_some_and(|seen| seen == joint || parent(joint) == Some(seen))
-            }),
+            Ownership::Little if is_last(character, joint) => {
+                Told::by_line(bone, &maps, reach, |at| {
+                    let seen = owned.joint_at(at, shape);
+                    seen.is_some_and(|seen| seen == joint || parent(joint) == Some(seen))
+                })
+            }
             // What hangs on it tells more.
             Ownership::Little => Told::nothing(bone),
             Ownership::Unknown => Told::by_line(bone, &maps, reach, |_| true),
@@ -155,25 +153,18 @@ pub(super) fn turned(
 
 /// What may be turned instead of joints that are.
 fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Instead> {
-    let parent = |joint: usize| character.joints[joint].parent;
-    let hangs_on = |joint: usize, on: usize| above(character, joint).skip(1).any(|it| it == on);
-    let is_known = |joint: usize| {
-        let mut own = told.iter().filter(|told| told.bone.joint == joint);
-        own.any(Told::is_known)
-    };
-    let is_last = |joint: usize| {
-        !told
-            .iter()
-            .any(|told| parent(told.bone.joint) == Some(joint))
-    };
     let mut all: Vec<Instead> = Vec::new();
     // A joint comes before those that hang on it, so that from the end these come first.
     for joint in (0..character.joints.len()).rev() {
-        if parent(joint).is_none() || turned[joint] || is_known(joint) {
+        if character.joints[joint].parent.is_none() || turned[joint] || is_known(told, joint) {
             continue;
         }
-        let below = || told.iter().filter(|told| hangs_on(told.bone.joint, joint));
-        let ends = below().filter(|told| is_last(told.bone.joint)).count();
+        let below = || {
+            let told = told.iter();
+            told.filter(|told| hangs_on(character, told.bone.joint, joint))
+        };
+        let ends = below().filter(|told| is_last(character, told.bone.joint));
+        let ends = ends.count();
         let is_right = |told: &Told| {
             let mut above = above(character, told.bone.joint).take_while(|it| *it != joint);
             told.is_known() && !above.any(|it| turned[it])
@@ -184,7 +175,7 @@ fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Ins
         }
         let is_top = |limb: &usize| {
             let mut above = above(character, *limb).skip(1);
-            turned[*limb] && hangs_on(*limb, joint) && !above.any(|it| turned[it])
+            turned[*limb] && hangs_on(character, *limb, joint) && !above.any(|it| turned[it])
         };
         let limbs: Vec<usize> = (0..turned.len()).filter(is_top).collect();
         match all.iter_mut().find(|known| known.limbs == limbs) {
@@ -201,24 +192,22 @@ fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Ins
 
 fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
     let joints = character.joints;
-    let is_known = |joint: usize| {
-        let mut own = told.iter().filter(|told| told.bone.joint == joint);
-        own.any(Told::is_known)
-    };
     let is_turned = |joint: usize| {
         let mut own = told.iter().filter(|told| told.bone.joint == joint);
-        let hangs_on = |told: &&Told| {
-            told.bone.joint != joint && above(character, told.bone.joint).any(|it| it == joint)
-        };
-        let below: Vec<&Told> = told.iter().filter(hangs_on).collect();
+        let below = told.iter();
+        let below = below.filter(|told| hangs_on(character, told.bone.joint, joint));
+        let below: Vec<&Told> = below.collect();
         let right = below.iter().filter(|told| told.is_right).count();
         // The first ones that something is known of on the way down.
-        let is_next = |told: &&&Told| {
-            let above = above(character, told.bone.joint).skip(1);
-            told.is_known() && !above.take_while(|it| *it != joint).any(is_known)
+        let is_next = |one: &&&Told| {
+            let above = above(character, one.bone.joint).skip(1);
+            one.is_known()
+                && !above
+                    .take_while(|it| *it != joint)
+                    .any(|it| is_known(told, it))
         };
         let next: Vec<&&Told> = below.iter().filter(is_next).collect();
-        let is_off = if is_known(joint) {
+        let is_off = if is_known(told, joint) {
             own.any(|told| told.is_off && (told.is_off_by_itself || !next.is_empty()))
         } else {
             // A root of which nothing is seen turns all that hangs on it.
@@ -241,6 +230,23 @@ fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
     let all = turned.iter().enumerate();
     all.map(|(joint, turned)| *turned && !is_of_child(joint))
         .collect()
+}
+
+/// Whether something is known of a joint.
+fn is_known(told: &[Told], joint: usize) -> bool {
+    let mut own = told.iter().filter(|told| told.bone.joint == joint);
+    own.any(Told::is_known)
+}
+
+/// Whether no bone hangs on a joint.
+fn is_last(character: &CharacterSeen, joint: usize) -> bool {
+    let mut bones = character.bones.iter();
+    !bones.any(|bone| character.joints[bone.joint].parent == Some(joint))
+}
+
+/// Whether a joint hangs on another one.
+fn hangs_on(character: &CharacterSeen, joint: usize, on: usize) -> bool {
+    above(character, joint).skip(1).any(|it| it == on)
 }
 
 /// A joint and all that it hangs on.
