@@ -57,7 +57,9 @@ enum Edges {
     Unknown,
     /// Hard ones leave so many pixels that differ.
     Hard(u64),
-    /// They were chosen, here or by the user.
+    /// Those of fewer differences were chosen.
+    Found,
+    /// The user has chosen.
     Chosen,
 }
 
@@ -207,6 +209,7 @@ impl Comparison {
             name: &self.name,
             look: self.looks.0,
             is_cut: self.is_cut,
+            are_edges_chosen: self.edges == Edges::Chosen,
             settings: &self.settings,
             reference: self.reference.shown()?,
             live: self.live.as_ref().and_then(Textured::shown),
@@ -356,9 +359,9 @@ impl Comparison {
     fn choose_edges(&mut self, differing: u64) {
         (self.edges, self.settings.smooth_edges) = match self.edges {
             Edges::Unknown if differing > 0 => (Edges::Hard(differing), true),
-            Edges::Unknown => (Edges::Chosen, false),
-            Edges::Hard(hard) => (Edges::Chosen, differing < hard),
-            Edges::Chosen => return,
+            Edges::Unknown => (Edges::Found, false),
+            Edges::Hard(hard) => (Edges::Found, differing < hard),
+            Edges::Found | Edges::Chosen => return,
         };
     }
 

@@ -69,19 +69,22 @@ const LIGHT: Colors = Colors {
 };
 
 impl Backdrop {
-    /// The backdrop of a picture that was drawn in the Studio look, by its upper corners; `None` of
+    /// The backdrop of a picture that was drawn in the Studio look, by its uppermost row; `None` of
     /// any other picture.
     pub fn of_studio(picture: &Picture) -> Option<Self> {
         const TOLERANCE: f32 = 3.0;
+        // Figures may reach into it.
+        const SHARE: f32 = 0.4;
         let pixels: &[[u8; 4]] = picture.rgba.as_chunks().0;
         let row = pixels.get(..picture.width as usize)?;
-        let corners = [row.first()?, row.last()?];
         [Self::Dark, Self::Light].into_iter().find(|backdrop| {
             let top = backdrop.colors(Look::Studio).top * 255.0;
-            corners.iter().all(|[r, g, b, _]| {
+            let is_top = |[r, g, b, _]: &&[u8; 4]| {
                 let color = Vec3::new(f32::from(*r), f32::from(*g), f32::from(*b));
                 color.abs_diff_eq(top, TOLERANCE)
-            })
+            };
+            let count = row.iter().filter(is_top).count();
+            count as f32 >= SHARE * row.len().max(1) as f32
         })
     }
 

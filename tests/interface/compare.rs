@@ -45,6 +45,7 @@ impl Comparing {
             name: "sample.png",
             look: self.look,
             is_cut: false,
+            are_edges_chosen: true,
             settings: &self.settings,
             reference: shown(&self.reference, TEXTURES[0]),
             live: Some(shown(&self.live, TEXTURES[1])),

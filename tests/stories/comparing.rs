@@ -64,8 +64,12 @@ fn a_document_that_is_opened_beside_a_picture_in_another_look_than_the_courses_i
 
 /// Gives the live view smooth edges, which pictures that are saved here have.
 fn smooth_edges(story: &mut Story) {
+    choose_edges(story, true);
+}
+
+fn choose_edges(story: &mut Story, smooth_edges: bool) {
     let settings = CompareSettings {
-        smooth_edges: true,
+        smooth_edges,
         ..CompareSettings::default()
     };
     let set = Action::Ask(Ask::Compare(CompareAction::Set(settings)));
@@ -384,6 +388,29 @@ fn a_character_that_is_moved_towards_the_eye_is_told_as_a_whole_though_some_of_i
     let texts = texts(&story);
     assert_eq!(whole(&story), ["Model1"], "{texts:?}");
     assert_eq!(places(&story), [""; 0], "{texts:?}");
+}
+
+#[test]
+fn smooth_edges_that_were_found_to_agree_are_no_reason_for_differences() {
+    const SMOOTH: &str =
+        "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
+    let mut story = Story::start(&["builtin:adult"]);
+    let look = vec![Action::View(View::SetLook(Look::Course))];
+    story.program.carry_out(look, &mut story.host);
+    story.size = (1000, 1300);
+    story.settle();
+    compare_with_itself(&mut story, (400, 300));
+    judge(&mut story);
+    story.type_into("Left shoulder Z", "40");
+    judge(&mut story);
+    assert!(!has_text(&story, SMOOTH), "{:?}", texts(&story));
+    // Without them and with them again: now the user has chosen.
+    choose_edges(&mut story, false);
+    judge(&mut story);
+    assert!(!has_text(&story, SMOOTH), "{:?}", texts(&story));
+    choose_edges(&mut story, true);
+    judge(&mut story);
+    assert!(has_text(&story, SMOOTH), "{:?}", texts(&story));
 }
 
 #[test]

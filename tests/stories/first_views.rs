@@ -661,6 +661,22 @@ fn a_picture_taken_in_the_studio_is_compared_in_the_studio_whatever_the_theme_is
 }
 
 #[test]
+fn a_picture_of_the_studio_is_compared_in_it_though_a_figure_covers_its_upper_corner() {
+    let mut story = start(&["builtin:robot"]);
+    let mut camera = story.session().view().camera;
+    camera.radius *= 0.3;
+    camera.target += camera.radius * (0.5 * camera.right() - 0.25 * camera.up());
+    let look = vec![Action::View(View::SetCamera(camera))];
+    story.program.carry_out(look, &mut story.host);
+    story.save_view((120, 80), "mine.png");
+    let saved = story.host.written[Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), saved);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    assert_eq!(story.look(), Look::Studio);
+}
+
+#[test]
 fn the_first_import_is_fitted_and_others_move_the_camera_only_if_they_are_out_of_view() {
     let mut story = start(&[]);
     assert_eq!(story.look(), Look::Studio);

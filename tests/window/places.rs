@@ -58,6 +58,7 @@ fn middle_in(
                 name: "reference.png",
                 look: Look::Course,
                 is_cut: false,
+                are_edges_chosen: false,
                 settings: &settings,
                 reference: ShownPicture {
                     picture,

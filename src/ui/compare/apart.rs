@@ -1,12 +1,12 @@
 //! Places apart from one another in which pictures differ.
 
+use super::clusters::clusters;
 use super::parts::{How, Kind, of_shapes, parts};
 use super::place::{near, place, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
 use crate::scene::Camera;
-use std::collections::BTreeMap;
 
 /// A place in which pictures differ.
 #[derive(Clone, Debug)]
@@ -135,32 +135,15 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
 /// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down, and whether some of
 /// these are of the live view. Where it is not known what is behind shapes, only such.
 fn areas_apart(off: &FigureOff, cell: u32) -> Vec<(Area, bool)> {
-    let mut cells: BTreeMap<[u32; 2], Vec<(u32, u32, bool)>> = BTreeMap::new();
-    for (pixels, is_ours) in [(&off.ours, true), (&off.theirs, false)] {
-        for &[x, y] in pixels {
-            let of_cell = cells.entry([y / cell, x / cell]).or_default();
-            of_cell.push((x, y, is_ours));
-        }
-    }
-    let mut areas = Vec::new();
-    while let Some((first, pixels)) = cells.pop_first() {
-        let (mut of_place, mut next) = (pixels, vec![first]);
-        while let Some([row, column]) = next.pop() {
-            let rows = row.saturating_sub(1)..=row + 1;
-            let columns = column.saturating_sub(1)..=column + 1;
-            for beside in rows.flat_map(|row| columns.clone().map(move |column| [row, column])) {
-                if let Some(pixels) = cells.remove(&beside) {
-                    of_place.extend(pixels);
-                    next.push(beside);
-                }
-            }
-        }
-        let is_ours = of_place.iter().any(|(.., is_ours)| *is_ours);
-        let area = Area::around(of_place.into_iter().map(|(x, y, _)| (x, y)));
-        areas.extend(
-            area.filter(|_| is_ours || off.has_outline)
-                .map(|area| (area, is_ours)),
-        );
-    }
-    areas
+    let pictures = [(&off.ours, true), (&off.theirs, false)].into_iter();
+    let pixels =
+        pictures.flat_map(|(pixels, is_ours)| pixels.iter().map(move |&[x, y]| ((x, y), is_ours)));
+    let areas = clusters(pixels, |(pixel, _)| *pixel, cell)
+        .into_iter()
+        .filter_map(|cluster| {
+            let is_ours = cluster.iter().any(|(_, is_ours)| *is_ours);
+            let area = Area::around(cluster.into_iter().map(|(pixel, _)| pixel))?;
+            (is_ours || off.has_outline).then_some((area, is_ours))
+        });
+    areas.collect()
 }

@@ -38,11 +38,12 @@ pub(super) fn hints(
 ) -> impl Iterator<Item = &'static str> {
     let settings = compare.settings;
     let look_is_course = look == Look::Course;
+    let is_smooth = settings.smooth_edges && compare.are_edges_chosen;
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     let other_look = other_look(look, compare.look).into_iter();
     let others = [
-        (look_is_course && settings.smooth_edges, SMOOTH),
+        (look_is_course && is_smooth, SMOOTH),
         (look_is_course && covered, COVERED),
     ];
     let others = others.into_iter();

@@ -6,6 +6,7 @@
 mod across;
 mod apart;
 mod bones_seen;
+mod clusters;
 mod elsewhere;
 mod findings;
 mod hints;
@@ -48,6 +49,8 @@ pub struct CompareView<'a> {
     pub look: Look,
     /// Whether the panels of the program that it is from were cut off it.
     pub is_cut: bool,
+    /// Whether the user has chosen if the live view has smooth edges, and not the program by what agrees better.
+    pub are_edges_chosen: bool,
     /// What is chosen now.
     pub settings: &'a CompareSettings,
     /// A.

@@ -1,6 +1,7 @@
 //! Which parts of a scene differ: limbs, and shapes without bones.
 
 use super::bones_seen::characters_seen;
+use super::clusters::without_strays;
 use super::limbs::{Body, Limb, limbs};
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
@@ -176,8 +177,12 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let parts = parts.filter_map(|(seen, pixels)| {
         let percent = 100.0 * count(&pixels) / of_both;
         let (name, kind) = seen.told(&pixels);
+        let shown = match kind {
+            Kind::Limb { .. } => pixels,
+            Kind::Shape(_) | Kind::Character => pixels.map(|of| without_strays(&of, off.apart)),
+        };
         Some(Part {
-            area: Area::around(pixels.concat())?,
+            area: Area::around(shown.concat())?,
             name,
             kind,
             percent,
