@@ -47,7 +47,7 @@ impl Program {
                     if let View::ChooseLook(look) = view
                         && self.comparison.is_none()
                     {
-                        self.ui.look_of_new = Some(look);
+                        self.choose_look_of_new(look);
                         self.ui.follow_look(look);
                         let before = *self.session.view();
                         let view = ViewSettings { look, ..before };

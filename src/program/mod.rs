@@ -32,6 +32,7 @@ mod graphics;
 mod host;
 mod input_parts;
 mod job;
+mod look_tried;
 mod meant_file;
 mod mesh_comparison;
 mod mesh_marks;

@@ -8,6 +8,7 @@ use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::job::Finished;
+use super::look_tried::LookTried;
 use super::mesh_comparison::MeshComparison;
 use super::mesh_marks::MeshMarks;
 use super::picture_work::PictureWork;
@@ -137,6 +138,8 @@ pub struct Program {
     /// The character of a comparison that has begun, to be seen large as soon as the size of the picture is
     /// known.
     pub(super) closer_due: Option<ShapeId>,
+    /// What the look was before others were tried in the document.
+    pub(super) look_tried: Option<LookTried>,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
 }
@@ -161,6 +164,7 @@ impl Program {
             quitting: false,
             paste_into: None,
             copied_pose: None,
+            look_tried: None,
             hovered_shape: None,
             frame_rate: FrameRate::default(),
             graphics,

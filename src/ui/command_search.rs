@@ -4,11 +4,11 @@ use super::commands::{
     COMMANDS, Command, Entry, full_label, full_tooltip, in_words, key_now, run, why_disabled,
 };
 use super::elsewhere::elsewhere;
-use super::key_commands::is_there;
+use super::key_commands::{is_there, refused_of_bone};
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
 use super::{Action, ViewInput};
-use crate::editor::Session;
+use crate::editor::{Session, View};
 use crate::scene::name_of_import;
 use egui::{
     Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,
@@ -52,7 +52,10 @@ pub(super) fn show(
         contents(ui, session, state, input, &mut search)
     });
     match shown.inner {
-        Some(command) => actions.extend(run(command, session, state, aspect)),
+        Some(command) => match refused_of_bone(command, session, state) {
+            Some(why) => actions.push(Action::View(View::Tell(why.into()))),
+            None => actions.extend(run(command, session, state, aspect)),
+        },
         None if shown.should_close() => {}
         None => state.search = Some(search),
     }

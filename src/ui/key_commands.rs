@@ -276,21 +276,7 @@ pub(super) fn press(
     if let Some(why) = why.filter(|_| poses) {
         return actions.extend(tell_once(why, session));
     }
-    let of_bone = state.navigation == Navigation::Blender
-        && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
-        && !row_has_keys
-        && session.selected_joint().is_some();
-    // In Blender these keys are about the selected bones.
-    let why = match command {
-        Command::ToggleVisible => {
-            Some("A bone cannot be hidden: with the Select tool (V), H hides the character")
-        }
-        Command::Duplicate => {
-            Some("A bone cannot be copied: with the Select tool (V), Shift+D copies the character")
-        }
-        _ => None,
-    };
-    if let Some(why) = why.filter(|_| of_bone) {
+    if let Some(why) = refused_of_bone(command, session, state) {
         return actions.extend(tell_once(why, session));
     }
     let meant = match of_row {
@@ -338,6 +324,29 @@ pub(super) fn press(
         // Neither what is not seen nor another shape is to be deleted by the next key.
         actions.push(Action::View(View::Select(None)));
     }
+}
+
+/// Why a command that in Blender is about the selected bones does nothing to the one that is selected; `None` where it is
+/// about something else.
+pub(super) fn refused_of_bone(
+    command: Command,
+    session: &Session,
+    state: &UiState,
+) -> Option<&'static str> {
+    let of_bone = state.navigation == Navigation::Blender
+        && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
+        && state.shape_row_keys != Some(state.pose.tool)
+        && session.selected_joint().is_some();
+    let why = match command {
+        Command::ToggleVisible => {
+            "A bone cannot be hidden: with the Select tool (V), H hides the character"
+        }
+        Command::Duplicate => {
+            "A bone cannot be copied: with the Select tool (V), Shift+D copies the character"
+        }
+        _ => return None,
+    };
+    of_bone.then_some(why)
 }
 
 /// Tells why a key does nothing, unless that is what was told last and still stands there.

@@ -3,7 +3,7 @@
 use super::Story;
 use editor_core::editor::{Severity, View};
 use editor_core::ui::{Action, Navigation};
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const SHIFT: Modifiers = Modifiers::SHIFT;
@@ -42,9 +42,23 @@ fn while_a_bone_is_posed_in_the_blender_navigation_the_keys_to_hide_and_copy_lea
         let last = story.messages().last().unwrap().1.to_owned();
         assert!(last.starts_with(told), "{last}");
     }
+    let find = |story: &mut Story, words: &str| {
+        story.key_with(CTRL | Modifiers::SHIFT, Key::P);
+        story.frame(vec![Event::Text(words.into())]);
+        story.settle();
+        story.key(Key::Enter);
+    };
+    find(&mut story, "duplicate");
+    assert_eq!(story.session().document(), document, "nor when it is found");
     story.key(Key::V);
+    find(&mut story, "duplicate");
+    assert!(
+        story.session().is_in_gesture(),
+        "the copy follows the pointer"
+    );
+    story.key(Key::Escape);
     story.key(Key::H);
-    assert!(!story.session().scene().shapes()[0].visible);
+    assert!(!story.session().scene().shapes()[1].visible);
 }
 
 #[test]

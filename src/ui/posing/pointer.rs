@@ -46,8 +46,9 @@ pub(in crate::ui) fn pointer(
         actions.push(Action::View(View::Tell(what.into())));
     }
     let inserts = |action: &Action| matches!(action, Action::Edit(Edit::Insert(_)));
-    if state.asked.is_some() && actions.iter().any(inserts) {
-        // What is inserted is selected from the next frame on.
+    // What is inserted is selected from the next frame on, and what covered the view is gone then.
+    let is_covered = view.ctx.memory(|memory| memory.top_modal_layer().is_some());
+    if state.asked.is_some() && (is_covered || actions.iter().any(inserts)) {
         view.ctx.request_repaint();
     } else if let Some((does, step)) = state.asked.take().filter(|_| state.gesture.is_none()) {
         state.gesture = Grab::begin_by_key(view, places, (step, actions), |place, pixel| {
