@@ -5,8 +5,8 @@ use super::diagnosis::Finding;
 use crate::geometry::Picture;
 
 /// How the outline A is placed in B, in words: two pictures of `width` columns, row by row, each of which has the pixels that its
-/// outline covers. `None` if A is where it was, or not in B.
-pub fn outline_placement(width: usize, a: &[bool], b: &[bool]) -> Option<String> {
+/// outline covers. They stand for pixels that are `apart`, in which a movement is told. `None` if A is where it was, or not in B.
+pub fn outline_placement(width: usize, [a, b]: [&[bool]; 2], apart: u32) -> Option<String> {
     let painted = |outline: &[bool]| Picture {
         width: width as u32,
         height: (outline.len() / width.max(1)) as u32,
@@ -14,7 +14,18 @@ pub fn outline_placement(width: usize, a: &[bool], b: &[bool]) -> Option<String>
     };
     let [a, b] = [a, b].map(painted);
     let pair = Pair::new(&a, &b, &[]).ok()?;
-    pair.findings().iter().find_map(Finding::placement)
+    let findings = pair.findings().into_iter();
+    let mut placements =
+        findings.filter_map(|found| moved_farther(found, apart as i32).placement());
+    placements.next()
+}
+
+/// The same finding where a movement is so many times as far.
+fn moved_farther(mut finding: Finding, times: i32) -> Finding {
+    if let Finding::Shifted { dx, dy } | Finding::Placed { dx, dy, .. } = &mut finding {
+        (*dx, *dy) = (*dx * times, *dy * times);
+    }
+    finding
 }
 
 fn white_on_black(is_covered: bool) -> [u8; 4] {

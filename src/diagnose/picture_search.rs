@@ -47,6 +47,8 @@ pub(super) struct PictureSearch<'a> {
     clip_from_model: DMat4,
     fine: Seen,
     coarse: Seen,
+    /// The picture as closely as a small figure is looked at, where `fine` is not that.
+    closer: Option<Seen>,
     /// Some of the vertices of triangles.
     spread: Vec<usize>,
     /// Which part of the silhouette is off from the exact one.
@@ -93,19 +95,19 @@ impl<'a> PictureSearch<'a> {
             (seen, exact)
         };
         let all = of_picture(FINE);
-        let (fine, exact) = seen(match closeness {
-            Closeness::Picture => all,
-            Closeness::Figure => {
-                let pixels = u64::from(picture.width) * u64::from(picture.height);
-                let least = (pixels.div_ceil(MOST_SAMPLES) as f64).sqrt().ceil() as u32;
-                let extent = all.extent(&points, clip_from_model);
-                let closer = all.with_step(extent.div_ceil(OF_FIGURE).max(least));
-                Some(closer).filter(|closer| closer.step < all.step)?
-            }
-        });
+        let pixels = u64::from(picture.width) * u64::from(picture.height);
+        let least = (pixels.div_ceil(MOST_SAMPLES) as f64).sqrt().ceil() as u32;
+        let extent = all.extent(&points, clip_from_model);
+        let closer = all.with_step(extent.div_ceil(OF_FIGURE).max(least));
+        let closer = Some(closer).filter(|closer| closer.step < all.step);
+        let ((fine, exact), closer) = match closeness {
+            Closeness::Picture => (seen(all), closer.map(seen)),
+            Closeness::Figure => (seen(closer?), None),
+        };
         if fine.theirs.is_blank() {
             return None;
         }
+        let lacking = closer.as_ref().map(|(seen, exact)| seen.lacking(exact));
         let (coarse, _) = seen(of_picture(COARSE));
         let corners = model.triangles().as_flattened().iter();
         let mut vertices: Vec<usize> = corners.map(|&corner| corner as usize).collect();
@@ -116,12 +118,13 @@ impl<'a> PictureSearch<'a> {
             model,
             pose,
             clip_from_model,
-            error_from_exact: fine.error(&exact),
+            error_from_exact: fine.error(&exact).max(lacking.unwrap_or(0.0)),
             is_scattered: (fine.theirs.inner_area() as f64) < SCATTERED * exact.inner_area() as f64,
             only_lacks: fine.theirs.only_lacks(&exact),
             off_within: exact.bounds(fine.theirs.off(&exact)),
             fine,
             coarse,
+            closer: closer.map(|(seen, _)| seen),
             spread: vertices.into_iter().step_by(step).collect(),
         })
     }
@@ -134,7 +137,7 @@ impl<'a> PictureSearch<'a> {
             let points = points(&mut self.skinner(&formula));
             Explanation {
                 made: vec![made],
-                error: self.error(&points, &self.fine),
+                error: self.fine_error(&points),
                 how: None,
             }
         })
@@ -198,7 +201,7 @@ impl<'a> PictureSearch<'a> {
         }
         let points = points(&mut skinner);
         let may_fit = self.coarse.area < TELLING || self.error(&points, &self.coarse) <= MAY_FIT;
-        may_fit.then(|| self.error(&points, &self.fine))
+        may_fit.then(|| self.fine_error(&points))
     }
 
     /// Whether a mistake may be seen in a picture, which is the same whatever the order in which vertices are
@@ -214,15 +217,25 @@ impl<'a> PictureSearch<'a> {
         Skinner::new(self.model, self.pose, formula)
     }
 
+    /// The part of the silhouette that is off from the one of `points` as closely as is looked.
+    fn fine_error(&self, points: &[DVec3]) -> f64 {
+        let error = self.error(points, &self.fine);
+        match &self.closer {
+            Some(closer) if error <= MAY_FIT => {
+                error.max(closer.lacking(&self.made(points, closer)))
+            }
+            _ => error,
+        }
+    }
+
     /// The part of the silhouette that is off from the one of `points`.
     fn error(&self, points: &[DVec3], seen: &Seen) -> f64 {
+        seen.error(&self.made(points, seen))
+    }
+
+    fn made(&self, points: &[DVec3], seen: &Seen) -> Silhouette {
         let (triangles, clip_from_model) = (self.model.triangles(), self.clip_from_model);
-        seen.error(&Silhouette::of_mesh(
-            points,
-            triangles,
-            clip_from_model,
-            seen.samples,
-        ))
+        Silhouette::of_mesh(points, triangles, clip_from_model, seen.samples)
     }
 }
 
@@ -230,6 +243,11 @@ impl Seen {
     /// The part of the silhouette that is off from `made`.
     fn error(&self, made: &Silhouette) -> f64 {
         self.theirs.off(made).count() as f64 / self.area
+    }
+
+    /// The part of it that limbs are of `made` which are missing.
+    fn lacking(&self, made: &Silhouette) -> f64 {
+        self.theirs.lacking(made).count() as f64 / self.area
     }
 }
 

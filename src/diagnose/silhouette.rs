@@ -136,6 +136,22 @@ impl Samples {
         covered
     }
 
+    /// The samples that are in a square of two by two such ones.
+    fn in_squares(&self, is_drawn: &[bool]) -> Vec<bool> {
+        let columns = self.columns;
+        let mut are_in = vec![false; is_drawn.len()];
+        for row in 1..self.rows {
+            for column in 1..columns {
+                let last = row * columns + column;
+                let square = [last, last - 1, last - columns, last - columns - 1];
+                if square.iter().all(|&at| is_drawn[at]) {
+                    square.into_iter().for_each(|at| are_in[at] = true);
+                }
+            }
+        }
+        are_in
+    }
+
     /// Whether any sample around each is `wanted`, or its own; the outside is like the border.
     fn around(&self, is_covered: &[bool], wanted: bool) -> Vec<bool> {
         fn merge<'a>(
@@ -170,6 +186,8 @@ pub(super) struct Silhouette {
     is_edge: Vec<bool>,
     /// Which samples are drawn, however thin that is, or have one beside them that is.
     is_near: Vec<bool>,
+    /// Which samples are drawn where that is two samples thick or more, as limbs of a small figure are.
+    is_limb: Vec<bool>,
 }
 
 impl Silhouette {
@@ -216,13 +234,18 @@ impl Silhouette {
             samples,
             is_edge: is_edge.collect(),
             is_near: samples.around(is_drawn, true),
+            is_limb: samples.in_squares(is_drawn),
             is_covered,
         }
     }
 
     /// How `exact` is placed in this one, in words, by samples; `None` if it is where it should be, or not there.
     pub(super) fn placement_of(&self, exact: &Self) -> Option<String> {
-        outline_placement(self.samples.columns, &exact.is_covered, &self.is_covered)
+        outline_placement(
+            self.samples.columns,
+            [&exact.is_covered, &self.is_covered],
+            1,
+        )
     }
 
     /// Whether nothing is covered.
@@ -252,9 +275,20 @@ impl Silhouette {
                 && match self.is_covered[at] {
                     // What is covered, or at an edge of that, is near.
                     true => !mesh.is_near[at],
-                    false => mesh.is_covered[at] && !mesh.is_edge[at],
+                    false => mesh.is_covered[at] && !mesh.is_edge[at] || self.lacks(mesh, at),
                 }
         })
+    }
+
+    /// Samples at which `mesh` has limbs, and near which nothing is drawn in this picture: what is thin, and may be a line where
+    /// it is drawn, is missed where it is not.
+    pub(super) fn lacking<'a>(&'a self, mesh: &'a Self) -> impl Iterator<Item = usize> + 'a {
+        let all = 0..self.is_near.len();
+        all.filter(|&at| self.lacks(mesh, at))
+    }
+
+    fn lacks(&self, mesh: &Self, at: usize) -> bool {
+        mesh.is_limb[at] && !self.is_near[at]
     }
 
     /// Whether the samples that are off ([`Self::off`]) are covered by `mesh` alone, and not by this one.

@@ -1,6 +1,7 @@
 use super::Host;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
+use super::smooth_edges::has_smooth_edges;
 use crate::compare::{Area, CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::{GroundColors, Picture};
 use crate::render::Backdrop;
@@ -49,6 +50,9 @@ pub(super) struct Comparison {
     report: CompareReport,
     measuring: Measuring,
 }
+
+/// Part by which numbers of pixels that differ are alike.
+const ALIKE: f64 = 0.1;
 
 /// How far it is known whether the reference has smooth edges, as pictures of this program have and those of the
 /// course's have not: the live view is drawn both ways, and that which is nearer is kept.
@@ -360,7 +364,12 @@ impl Comparison {
         (self.edges, self.settings.smooth_edges) = match self.edges {
             Edges::Unknown if differing > 0 => (Edges::Hard(differing), true),
             Edges::Unknown => (Edges::Found, false),
-            Edges::Hard(hard) => (Edges::Found, differing < hard),
+            // Where the figure is elsewhere, its edges leave as much to differ either way, and the reference's own ones tell.
+            Edges::Hard(hard) => {
+                let are_alike = differing.abs_diff(hard) as f64 <= ALIKE * hard as f64;
+                let own = are_alike.then(|| has_smooth_edges(&self.reference.picture));
+                (Edges::Found, own.flatten().unwrap_or(differing < hard))
+            }
             Edges::Found | Edges::Chosen => return,
         };
     }
@@ -414,8 +423,8 @@ mod tests {
     fn the_edges_that_leave_fewer_differences_are_kept_unless_the_user_has_chosen() {
         for (hard, smooth, kept) in [
             (0, None, false),
-            (90, Some(91), false),
-            (90, Some(89), true),
+            (90, Some(100), false),
+            (90, Some(80), true),
         ] {
             let picture = Picture {
                 width: 1,

@@ -51,6 +51,7 @@ mod scene_picture;
 #[cfg(test)]
 mod scene_picture_tests;
 mod several_poses;
+mod smooth_edges;
 mod sources;
 mod split_view;
 mod start_pictures;

@@ -45,6 +45,8 @@ fn compare_with_itself(story: &mut Story, size: (u32, u32)) {
     assert!(story.has("Stop comparing"));
 }
 
+const EQUAL: &str = "1.00000, 0.00000";
+
 #[test]
 fn a_document_that_is_opened_beside_a_picture_in_another_look_than_the_courses_is_shown_as_it_is_without()
  {
@@ -414,6 +416,74 @@ fn smooth_edges_that_were_found_to_agree_are_no_reason_for_differences() {
 }
 
 #[test]
+fn smooth_edges_are_found_though_the_figure_is_elsewhere_at_first() {
+    for look in [Look::Course, Look::Studio, Look::Mannequin] {
+        let mut story = Story::start(&["builtin:adult"]);
+        let seen = vec![Action::View(View::SetLook(look))];
+        story.program.carry_out(seen, &mut story.host);
+        story.size = (1000, 1300);
+        story.settle();
+        story.save_view((800, 600), "mine.png");
+        let saved = story.host.written[Path::new("mine.png")].clone();
+        story.host.files.insert("mine.png".into(), saved);
+        story.type_into("Position X", "0.2");
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let placed = "The whole figure is moved ";
+        assert!(has_text(&story, placed), "{look:?} {:?}", texts(&story));
+        story.type_into("Position X", "0");
+        judge(&mut story);
+        assert!(has_text(&story, EQUAL), "{look:?} {:?}", texts(&story));
+    }
+}
+
+#[test]
+fn a_character_of_another_color_is_not_said_to_be_elsewhere_or_turned() {
+    for look in [Look::Course, Look::Studio] {
+        for shapes in [&["builtin:adult"][..], &["builtin:adult", "builtin:goblet"]] {
+            let mut story = Story::start(shapes);
+            story.size = (1000, 1300);
+            let seen = vec![Action::View(View::SetLook(look))];
+            story.program.carry_out(seen, &mut story.host);
+            story.settle();
+            story.click("[1] Adult (ID: 1)");
+            compare_with_itself(&mut story, (800, 600));
+            judge(&mut story);
+            let adult = story.session().scene().shapes()[0].id;
+            let color = Edit::SetColor(adult, ShapeColor::Custom(Vec3::new(0.9, 0.8, 0.1)));
+            story
+                .program
+                .carry_out(vec![Action::Edit(color)], &mut story.host);
+            for (turned, how) in [
+                (
+                    None,
+                    "its outline agrees, so that its color or light differs.",
+                ),
+                (
+                    Some("Right knee X"),
+                    "its color or light differs, and a part of its outline.",
+                ),
+            ] {
+                if let Some(field) = turned {
+                    story.type_into(field, "60");
+                }
+                judge(&mut story);
+                let texts = texts(&story);
+                let told: Vec<&String> = texts
+                    .iter()
+                    .filter(|text| text.starts_with("All of Adult, in about "))
+                    .collect();
+                assert!(
+                    matches!(&told[..], [one] if one.ends_with(how)) && places(&story).is_empty(),
+                    "{look:?} {shapes:?} {turned:?}: {texts:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn limbs_that_a_joint_of_the_trunk_may_turn_are_told_with_it() {
     let instead =
         "Right leg and Left leg hang on Waist and Chest: one of these may be turned instead.";
@@ -629,7 +699,6 @@ fn a_difference_is_placed_by_the_joint_next_to_it() {
 fn where_everything_is_left_out_no_number_is_told() {
     let mut story = comparing();
     // Structural similarity and visible difference of equal pictures.
-    const EQUAL: &str = "1.00000, 0.00000";
     while measure(&mut story) > 0 {}
     story.host.time += Duration::from_millis(200);
     story.settle();

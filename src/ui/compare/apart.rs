@@ -1,8 +1,9 @@
 //! Places apart from one another in which pictures differ.
 
 use super::clusters::clusters;
+use super::elsewhere::placement_of_all;
 use super::parts::{How, Kind, of_shapes, parts};
-use super::place::{near, place, whole};
+use super::place::{near, place, placed_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
@@ -50,14 +51,21 @@ impl KeptPlaces {
         self.places.clone()
     }
 
-    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
+    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does, or else all of the figure
+    /// if it stands elsewhere.
     pub(super) fn of_parts(
         &mut self,
         session: &Session,
         off: &FigureOff,
         size: (u32, u32),
     ) -> Vec<Place> {
-        self.get(session, off, size, || of_parts(session, off, size))
+        self.get(session, off, size, || {
+            let parts = of_parts(session, off, size);
+            match parts.is_empty() {
+                true => elsewhere(session, off, size).into_iter().collect(),
+                false => parts,
+            }
+        })
     }
 
     /// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or
@@ -78,7 +86,7 @@ fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> 
     let places = parts.map(|part| {
         let (name, share) = (&part.name, about(part.percent));
         let (told, instead) = match part.kind {
-            Kind::Character => (whole(name, &share), None),
+            Kind::Character(how) => (whole(name, &share, how.map(in_words)), None),
             Kind::Shape(how) => (near(name, &share, how.map(in_words)), None),
             Kind::Limb { instead } => (near(name, &share, None), instead),
         };
@@ -96,6 +104,7 @@ fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> 
 fn in_words(how: How) -> &'static str {
     match how {
         How::Color => "its outline agrees, so that its color or light differs",
+        How::ColorAndMore => "its color or light differs, and a part of its outline",
         How::Place => "it is moved, turned or scaled",
         How::Missing => "A shows nothing in its place",
     }
@@ -111,6 +120,9 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
     let of_parts = of_parts(session, &off, size);
     if !of_parts.is_empty() {
         return of_parts;
+    }
+    if let Some(elsewhere) = elsewhere(session, &off, size) {
+        return vec![elsewhere];
     }
     let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
     if apart.len() > MOST_APART {
@@ -130,6 +142,17 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
         }
     });
     places.collect()
+}
+
+/// All that is drawn, if it has the outline of the other picture but stands elsewhere.
+fn elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
+    let (placement, within) = placement_of_all(session, off, size)?;
+    Some(Place {
+        told: placed_elsewhere(&placement, within),
+        area: off.area,
+        is_part: false,
+        instead: None,
+    })
 }
 
 /// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down, and whether some of

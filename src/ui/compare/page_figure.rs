@@ -59,10 +59,10 @@ impl FigureTold {
             };
         };
         let places = kept.of_parts(session, off, compare.size());
+        let area = off.area;
+        // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
+        let is_much = area.share_of(figure.area) >= MUCH;
         if places.is_empty() {
-            let area = off.area;
-            // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
-            let is_much = area.share_of(figure.area) >= MUCH;
             let told = match is_much {
                 true => sentence(&area.place_in(figure.area)),
                 false => place(session, area, figure.area, compare.size()),
@@ -78,9 +78,10 @@ impl FigureTold {
                 is_sure,
             };
         }
+        let are_parts = places.iter().any(|place| place.is_part);
         Self {
             places,
-            is_elsewhere: false,
+            is_elsewhere: is_sure && is_much && !are_parts,
             is_sure,
         }
     }

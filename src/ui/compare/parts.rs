@@ -3,6 +3,7 @@
 use super::bones_seen::characters_seen;
 use super::clusters::without_strays;
 use super::limbs::{Body, Limb, limbs};
+use super::owned::Owned;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use crate::scene::{EvaluatedShape, ShapeId};
@@ -37,8 +38,8 @@ pub(super) enum Kind {
     Limb { instead: Option<String> },
     /// A shape without bones, and how it differs, as far as that is told.
     Shape(Option<How>),
-    /// A character, of which more than limbs differs.
-    Character,
+    /// A character, of which more than limbs differs, and how if it does not stand elsewhere.
+    Character(Option<How>),
 }
 
 /// How a shape differs.
@@ -46,6 +47,8 @@ pub(super) enum Kind {
 pub(super) enum How {
     /// It covers what it should, in other colors.
     Color,
+    /// It covers nearly that, in other colors: of a character also limbs are turned.
+    ColorAndMore,
     /// It covers something else.
     Place,
     /// The other picture has nothing there.
@@ -57,20 +60,44 @@ const SAME_PLACE: f64 = 0.95;
 /// … and up to which it is elsewhere: one that is turned in its place covers much of what it did.
 const OTHER_PLACE: f64 = 0.9;
 
+/// Share of the pixels that a character covers in both pictures from which on it may have another color, …
+const RECOLORED_PLACE: f64 = 0.8;
+/// … and share of what is seen of it that is off, then: one that is moved by a little keeps its color where it still is.
+const RECOLORED: f32 = 0.95;
+
+/// How a character differs of which more than limbs does, where it has another color; `None` where it stands elsewhere.
+fn how_of_character(
+    character: ShapeId,
+    owned: &Owned,
+    [ours, theirs]: &[Vec<(u32, u32)>; 2],
+) -> Option<How> {
+    let off = owned.off_of(character, |_| true)?;
+    if off < RECOLORED {
+        return None;
+    }
+    match share_of_both(ours, theirs) {
+        SAME_PLACE.. => Some(How::Color),
+        RECOLORED_PLACE.. => Some(How::ColorAndMore),
+        _ => None,
+    }
+}
+
+/// Share of the pixels that these are in both pictures.
+fn share_of_both(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> f64 {
+    let of_theirs: HashSet<_> = theirs.iter().collect();
+    let both = ours.iter().filter(|pixel| of_theirs.contains(pixel));
+    both.count() as f64 / ours.len().max(theirs.len()).max(1) as f64
+}
+
 /// Share of what it covers that the other picture shows something at which has nothing there.
 const NOTHING: f64 = 0.02;
 
 /// How a shape differs that is off at these pixels of the live view, and at those of the other picture.
-fn how(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> Option<How> {
+fn how([ours, theirs]: &[Vec<(u32, u32)>; 2]) -> Option<How> {
     if (theirs.len() as f64) < NOTHING * ours.len() as f64 {
         return Some(How::Missing);
     }
-    let of_theirs: HashSet<_> = theirs.iter().collect();
-    let both = ours
-        .iter()
-        .filter(|pixel| of_theirs.contains(pixel))
-        .count() as f64;
-    match both / ours.len().max(theirs.len()).max(1) as f64 {
+    match share_of_both(ours, theirs) {
         SAME_PLACE.. => Some(How::Color),
         ..=OTHER_PLACE => Some(How::Place),
         _ => None,
@@ -101,7 +128,7 @@ impl Seen<'_> {
     }
 
     /// Its name, and what it is where these pixels of the live view are off, and those of the other picture.
-    fn told(self, [ours, theirs]: &[Vec<(u32, u32)>; 2]) -> (String, Kind) {
+    fn told(self, pixels: &[Vec<(u32, u32)>; 2], owned: &Owned) -> (String, Kind) {
         match self {
             Self::Limb(limb) => {
                 let instead = limb.instead;
@@ -109,8 +136,8 @@ impl Seen<'_> {
             }
             Self::Shape(shape) => {
                 let kind = match shape.is_character {
-                    true => Kind::Character,
-                    false => Kind::Shape(how(ours, theirs)),
+                    true => Kind::Character(how_of_character(shape.id, owned, pixels)),
+                    false => Kind::Shape(how(pixels)),
                 };
                 (shape.name.to_owned(), kind)
             }
@@ -128,7 +155,9 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let is_camera_right = limbs.is_camera_right;
     // What a root turns is all of the figure, as what a camera shows that is elsewhere.
     if !limbs.whole.is_empty() && !is_camera_right {
-        return Vec::new();
+        return recolored_alone(session, off, &limbs.owned)
+            .into_iter()
+            .collect();
     }
     let shapes = shapes_seen(session, size, &limbs.whole).into_iter();
     let differs =
@@ -176,10 +205,10 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let parts = parts.filter(|(seen, pixels)| !is_covered(seen, count(pixels)));
     let parts = parts.filter_map(|(seen, pixels)| {
         let percent = 100.0 * count(&pixels) / of_both;
-        let (name, kind) = seen.told(&pixels);
+        let (name, kind) = seen.told(&pixels, &limbs.owned);
         let shown = match kind {
             Kind::Limb { .. } => pixels,
-            Kind::Shape(_) | Kind::Character => pixels.map(|of| without_strays(&of, off.apart)),
+            Kind::Shape(_) | Kind::Character(_) => pixels.map(|of| without_strays(&of, off.apart)),
         };
         Some(Part {
             area: Area::around(shown.concat())?,
@@ -194,6 +223,29 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         return Vec::new();
     }
     parts
+}
+
+/// The character that is alone in view, if all of it has another color: then no camera that is elsewhere is what differs.
+fn recolored_alone(session: &Session, off: &FigureOff, owned: &Owned) -> Option<Part> {
+    let mut visible = session
+        .scene()
+        .shapes()
+        .iter()
+        .filter(|shape| shape.visible);
+    let (Some(shape), None) = (visible.next(), visible.next()) else {
+        return None;
+    };
+    let pixels = [&off.ours, &off.theirs].map(|all| all.iter().map(|&[x, y]| (x, y)).collect());
+    let how = how_of_character(shape.id, owned, &pixels)?;
+    let count = |pixels: &[[u32; 2]]| pixels.len() as f64;
+    let percent = 100.0 * (count(&off.ours) + count(&off.theirs))
+        / (2.0 * (count(&off.ours) + count(&off.right)));
+    Some(Part {
+        name: shape.name.clone(),
+        kind: Kind::Character(Some(how)),
+        area: off.area,
+        percent,
+    })
 }
 
 fn at(&[x, y]: &[u32; 2]) -> Vec2 {

@@ -31,12 +31,25 @@ pub(super) fn near(name: &str, part: &str, how: Option<&str>) -> String {
     sentence(&how.map_or_else(|| near.clone(), |how| format!("{near}: {how}")))
 }
 
-/// Sentence about a character that differs as a whole, which is such a `part` of the figure in words.
-pub(super) fn whole(character: &str, part: &str) -> String {
-    let told = format!(
-        "all of {character}, in {part} of the figure: it is moved, turned or scaled as a whole, or its root joint is turned"
-    );
-    sentence(&told)
+/// Sentence about a character that differs as a whole, which is such a `part` of the figure in words, and `how` it differs if it
+/// does not stand elsewhere.
+pub(super) fn whole(character: &str, part: &str, how: Option<&str>) -> String {
+    const ELSEWHERE: &str = "it is moved, turned or scaled as a whole, or its root joint is turned";
+    let how = how.unwrap_or(ELSEWHERE);
+    sentence(&format!(
+        "all of {character}, in {part} of the figure: {how}"
+    ))
+}
+
+/// Sentence about all that is drawn, whose outline is so placed in the live view, in words, `within` so many pixels.
+pub(super) fn placed_elsewhere(placement: &str, within: u32) -> String {
+    let within = match within {
+        0 | 1 => String::new(),
+        within => format!(", to within {within} pixels"),
+    };
+    sentence(&format!(
+        "the whole figure is {placement} in B{within}: another camera, or another place or size of the shape"
+    ))
 }
 
 /// Share of the bone of a joint that is in the area of what the joint has turned, but for its beginning; and of bones that
