@@ -108,6 +108,12 @@ impl<'a> PictureSearch<'a> {
             return None;
         }
         let lacking = closer.as_ref().map(|(seen, exact)| seen.lacking(exact));
+        let (closest, exact_there) = closer
+            .as_ref()
+            .map_or((&fine, &exact), |(seen, exact)| (seen, exact));
+        let off_within = exact.bounds(fine.theirs.off(&exact));
+        let off_within =
+            off_within.or_else(|| exact_there.bounds(closest.theirs.lacking(exact_there)));
         let (coarse, _) = seen(of_picture(COARSE));
         let corners = model.triangles().as_flattened().iter();
         let mut vertices: Vec<usize> = corners.map(|&corner| corner as usize).collect();
@@ -120,8 +126,8 @@ impl<'a> PictureSearch<'a> {
             clip_from_model,
             error_from_exact: fine.error(&exact).max(lacking.unwrap_or(0.0)),
             is_scattered: (fine.theirs.inner_area() as f64) < SCATTERED * exact.inner_area() as f64,
-            only_lacks: fine.theirs.only_lacks(&exact),
-            off_within: exact.bounds(fine.theirs.off(&exact)),
+            only_lacks: closest.theirs.only_lacks(exact_there),
+            off_within,
             fine,
             coarse,
             closer: closer.map(|(seen, _)| seen),

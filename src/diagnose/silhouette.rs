@@ -291,9 +291,11 @@ impl Silhouette {
         mesh.is_limb[at] && !self.is_near[at]
     }
 
-    /// Whether the samples that are off ([`Self::off`]) are covered by `mesh` alone, and not by this one.
+    /// Whether the samples that are off ([`Self::off`]) are covered by `mesh` alone, and not by this one, which has no limbs
+    /// elsewhere.
     pub(super) fn only_lacks(&self, mesh: &Self) -> bool {
-        self.off(mesh).all(|at| !self.is_covered[at])
+        let has_others = mesh.lacking(self).next().is_some();
+        !has_others && self.off(mesh).all(|at| !self.is_covered[at])
     }
 
     /// Whether a point lies on or beside what is drawn; `None` for one that is not in the picture.

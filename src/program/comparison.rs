@@ -423,8 +423,8 @@ mod tests {
     fn the_edges_that_leave_fewer_differences_are_kept_unless_the_user_has_chosen() {
         for (hard, smooth, kept) in [
             (0, None, false),
-            (90, Some(100), false),
-            (90, Some(80), true),
+            (90, Some(91), false),
+            (90, Some(89), true),
         ] {
             let picture = Picture {
                 width: 1,

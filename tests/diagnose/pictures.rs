@@ -139,6 +139,16 @@ fn a_limb_of_a_small_figure_that_is_not_turned_is_missed_in_its_place() {
     let folder = folder_with(&figure, &RIGHT.skin(&unturned));
     let found = diagnosed(&folder, "builtin:adult", "a.png", far, " --axis on");
     assert_eq!(found["verdict"], "unexplained", "{found}");
+    assert!(found["off_within"].is_array(), "{found}");
+    let told = run(
+        &folder,
+        &format!("diagnose a.png --character builtin:adult --pose pose.json {far}"),
+    )
+    .out;
+    assert!(
+        !told.contains("the color of the background"),
+        "it is elsewhere: {told}"
+    );
     // What is right is right however small it is.
     let folder = folder_with(&figure, &RIGHT.skin(&figure));
     for (picture, options) in [("a.png", " --samples 4"), ("a.jpg", " --axis on")] {
