@@ -45,10 +45,10 @@ pub(super) fn whole(character: &str, part: &str, how: Option<&str>) -> String {
 pub(super) fn placed_elsewhere(placement: &str, within: u32) -> String {
     let within = match within {
         0 | 1 => String::new(),
-        within => format!(", to within {within} pixels"),
+        within => format!(" (to within {within} pixels)"),
     };
     sentence(&format!(
-        "the whole figure is {placement} in B{within}: another camera, or another place or size of the shape"
+        "in B the whole figure is {placement}{within}: another camera, or another place or size of the shape"
     ))
 }
 
