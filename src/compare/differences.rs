@@ -51,7 +51,7 @@ pub struct Differences {
 
 /// The largest difference of a channel, opacity included.
 #[inline]
-pub(super) fn difference(a: Pixel, b: Pixel) -> u8 {
+pub(crate) fn difference(a: Pixel, b: Pixel) -> u8 {
     let [r, g, b, alpha]: Pixel = std::array::from_fn(|channel| a[channel].abs_diff(b[channel]));
     r.max(g).max(b).max(alpha)
 }

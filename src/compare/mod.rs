@@ -20,6 +20,7 @@ mod pair;
 mod picture_comparison;
 mod place;
 mod rules;
+mod smooth_edges;
 mod ssim;
 #[cfg(test)]
 mod test_pictures;
@@ -27,6 +28,7 @@ mod test_pictures;
 pub use allowance::Allowance;
 pub use area::Area;
 pub use diagnosis::{Finding, HighlightChange, Which};
+pub(crate) use differences::difference;
 pub use differences::{Differences, side_by_side};
 pub use figure_off::{FigureOff, PixelGrid};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
@@ -40,6 +42,7 @@ pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
 pub use place::about;
 pub use rules::sentence;
+pub use smooth_edges::has_smooth_edges;
 
 /// Why two things cannot be compared at all.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! Silhouettes: which pixels of a picture a figure covers.
 
-use crate::compare::{Area, outline_placement};
+use crate::compare::{Area, difference, outline_placement};
 use crate::geometry::Picture;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use std::collections::HashMap;
@@ -321,12 +321,6 @@ impl Silhouette {
         } = Area::around(places)?;
         Some([x, y, width, height].map(|samples| samples * step))
     }
-}
-
-/// The largest difference of a channel.
-fn difference(pixel: [u8; 4], other: [u8; 4]) -> u8 {
-    let channels = pixel.iter().zip(other);
-    channels.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
 /// The pixels at the border of a picture.

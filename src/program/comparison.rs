@@ -1,7 +1,7 @@
 use super::Host;
+use super::edges::Edges;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use super::smooth_edges::has_smooth_edges;
 use crate::compare::{Area, CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::{GroundColors, Picture};
 use crate::render::Backdrop;
@@ -49,22 +49,6 @@ pub(super) struct Comparison {
     edges: Edges,
     report: CompareReport,
     measuring: Measuring,
-}
-
-/// Part by which numbers of pixels that differ are alike.
-const ALIKE: f64 = 0.1;
-
-/// How far it is known whether the reference has smooth edges, as pictures of this program have and those of the
-/// course's have not: the live view is drawn both ways, and that which is nearer is kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Edges {
-    Unknown,
-    /// Hard ones leave so many pixels that differ.
-    Hard(u64),
-    /// Those of fewer differences were chosen.
-    Found,
-    /// The user has chosen.
-    Chosen,
 }
 
 /// State that a picture of the live view follows from.
@@ -361,17 +345,9 @@ impl Comparison {
 
     /// Chooses the edges of the live view, of whose pixels so many differ as it is drawn now.
     fn choose_edges(&mut self, differing: u64) {
-        (self.edges, self.settings.smooth_edges) = match self.edges {
-            Edges::Unknown if differing > 0 => (Edges::Hard(differing), true),
-            Edges::Unknown => (Edges::Found, false),
-            // Where the figure is elsewhere, its edges leave as much to differ either way, and the reference's own ones tell.
-            Edges::Hard(hard) => {
-                let are_alike = differing.abs_diff(hard) as f64 <= ALIKE * hard as f64;
-                let own = are_alike.then(|| has_smooth_edges(&self.reference.picture));
-                (Edges::Found, own.flatten().unwrap_or(differing < hard))
-            }
-            Edges::Found | Edges::Chosen => return,
-        };
+        if let Some(found) = self.edges.after(differing, &self.reference.picture) {
+            (self.edges, self.settings.smooth_edges) = found;
+        }
     }
 
     /// Takes in the result of a job. That of an earlier comparison is ignored.

@@ -20,6 +20,7 @@ mod document;
 mod document_file;
 mod document_name;
 mod draft_detail;
+mod edges;
 mod exports;
 mod files;
 mod finger_presses;
@@ -51,7 +52,6 @@ mod scene_picture;
 #[cfg(test)]
 mod scene_picture_tests;
 mod several_poses;
-mod smooth_edges;
 mod sources;
 mod split_view;
 mod start_pictures;

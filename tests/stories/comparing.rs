@@ -35,11 +35,24 @@ fn compared() -> Story {
     story
 }
 
-/// Compares the view with a picture of it of this size.
-fn compare_with_itself(story: &mut Story, size: (u32, u32)) {
+/// Shows the scene in a look, in a window in which all that is told of a comparison is seen.
+fn show_in(story: &mut Story, look: Look) {
+    story.size = (1000, 1300);
+    let seen = vec![Action::View(View::SetLook(look))];
+    story.program.carry_out(seen, &mut story.host);
+    story.settle();
+}
+
+/// Keeps a picture of the view of this size as `mine.png`.
+fn keep_picture(story: &mut Story, size: (u32, u32)) {
     story.save_view(size, "mine.png");
     let saved = story.host.written[Path::new("mine.png")].clone();
     story.host.files.insert("mine.png".into(), saved);
+}
+
+/// Compares the view with a picture of it of this size.
+fn compare_with_itself(story: &mut Story, size: (u32, u32)) {
+    keep_picture(story, size);
     story.key(Key::F8);
     story.choose("mine.png");
     assert!(story.has("Stop comparing"));
@@ -201,10 +214,7 @@ fn a_limb_of_one_character_among_others_is_told_beside_a_shape_that_is_elsewhere
     let mut percents = Vec::new();
     for look in [Look::Course, Look::Studio] {
         let mut story = Story::start(&["builtin:adult", "builtin:adult", "builtin:goblet"]);
-        story.size = (1000, 1300);
-        let seen = vec![Action::View(View::SetLook(look))];
-        story.program.carry_out(seen, &mut story.host);
-        story.settle();
+        show_in(&mut story, look);
         compare_with_itself(&mut story, (600, 450));
         judge(&mut story);
         let [adult, _, goblet] = <[&str; 3]>::try_from(story.names())
@@ -240,10 +250,7 @@ fn a_limb_of_one_character_among_others_is_told_beside_a_shape_that_is_elsewhere
 /// the picture and the one in the view.
 fn told_of(look: Look, joints: &[(&str, f32, f32)]) -> Vec<String> {
     let mut story = Story::start(&["builtin:adult"]);
-    story.size = (1000, 1300);
-    let seen = vec![Action::View(View::SetLook(look))];
-    story.program.carry_out(seen, &mut story.host);
-    story.settle();
+    show_in(&mut story, look);
     for (joint, in_picture, _) in joints {
         story.type_into(&format!("{joint} X"), &in_picture.to_string());
     }
@@ -276,10 +283,7 @@ fn a_limb_is_told_whatever_is_before_it_or_was() {
 /// An adult beside two other shapes in a look, compared with a picture of it.
 fn adult_beside_shapes(look: Look) -> Story {
     let mut story = Story::start(&["builtin:adult", "builtin:goblet", "builtin:gem"]);
-    story.size = (1000, 1300);
-    let seen = vec![Action::View(View::SetLook(look))];
-    story.program.carry_out(seen, &mut story.host);
-    story.settle();
+    show_in(&mut story, look);
     story.click("[1] Adult (ID: 1)");
     compare_with_itself(&mut story, (640, 480));
     judge(&mut story);
@@ -339,10 +343,7 @@ fn course_character_beside_shape(look: Look) -> Option<Story> {
         host.files.insert(format!("models/{name}").into(), bytes);
     }
     let mut story = Story::start_at(host, &["models/Model1.obj", "builtin:goblet"]);
-    story.size = (1000, 1300);
-    let seen = vec![Action::View(View::SetLook(look))];
-    story.program.carry_out(seen, &mut story.host);
-    story.settle();
+    show_in(&mut story, look);
     story.click("[1] Model1 (ID: 1)");
     Some(story)
 }
@@ -397,10 +398,7 @@ fn smooth_edges_that_were_found_to_agree_are_no_reason_for_differences() {
     const SMOOTH: &str =
         "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
     let mut story = Story::start(&["builtin:adult"]);
-    let look = vec![Action::View(View::SetLook(Look::Course))];
-    story.program.carry_out(look, &mut story.host);
-    story.size = (1000, 1300);
-    story.settle();
+    show_in(&mut story, Look::Course);
     compare_with_itself(&mut story, (400, 300));
     judge(&mut story);
     story.type_into("Left shoulder Z", "40");
@@ -419,13 +417,8 @@ fn smooth_edges_that_were_found_to_agree_are_no_reason_for_differences() {
 fn smooth_edges_are_found_though_the_figure_is_elsewhere_at_first() {
     for look in [Look::Course, Look::Studio, Look::Mannequin] {
         let mut story = Story::start(&["builtin:adult"]);
-        let seen = vec![Action::View(View::SetLook(look))];
-        story.program.carry_out(seen, &mut story.host);
-        story.size = (1000, 1300);
-        story.settle();
-        story.save_view((800, 600), "mine.png");
-        let saved = story.host.written[Path::new("mine.png")].clone();
-        story.host.files.insert("mine.png".into(), saved);
+        show_in(&mut story, look);
+        keep_picture(&mut story, (800, 600));
         story.type_into("Position X", "0.2");
         story.key(Key::F8);
         story.choose("mine.png");
@@ -447,10 +440,7 @@ fn a_character_of_another_color_is_not_said_to_be_elsewhere_or_turned() {
     for look in [Look::Course, Look::Studio] {
         for shapes in [&["builtin:adult"][..], &["builtin:adult", "builtin:goblet"]] {
             let mut story = Story::start(shapes);
-            story.size = (1000, 1300);
-            let seen = vec![Action::View(View::SetLook(look))];
-            story.program.carry_out(seen, &mut story.host);
-            story.settle();
+            show_in(&mut story, look);
             story.click("[1] Adult (ID: 1)");
             compare_with_itself(&mut story, (800, 600));
             judge(&mut story);
@@ -559,10 +549,7 @@ fn of_a_limb_that_is_turned_nothing_else_is_told() {
             ("Left shoulder", "Z", "-50"),
         ] {
             let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
-            story.size = (1000, 1300);
-            let seen = vec![Action::View(View::SetLook(look))];
-            story.program.carry_out(seen, &mut story.host);
-            story.settle();
+            show_in(&mut story, look);
             story.click("[1] Adult (ID: 1)");
             compare_with_itself(&mut story, (800, 600));
             judge(&mut story);
@@ -931,11 +918,7 @@ fn a_document_in_the_mannequin_look_is_compared_in_it() {
     let mut story = Story::start(&["models/strip.obj"]);
     let set = Action::View(View::SetLook(Look::Mannequin));
     story.program.carry_out(vec![set], &mut story.host);
-    story.save_view((300, 200), "mine.png");
-    let saved = story.host.written[Path::new("mine.png")].clone();
-    story.host.files.insert("mine.png".into(), saved);
-    story.key(Key::F8);
-    story.choose("mine.png");
+    compare_with_itself(&mut story, (300, 200));
     assert_eq!(story.session().view().look, Look::Mannequin);
     smooth_edges(&mut story);
     judge(&mut story);

@@ -59,13 +59,7 @@ impl KeptPlaces {
         off: &FigureOff,
         size: (u32, u32),
     ) -> Vec<Place> {
-        self.get(session, off, size, || {
-            let parts = of_parts(session, off, size);
-            match parts.is_empty() {
-                true => elsewhere(session, off, size).into_iter().collect(),
-                false => parts,
-            }
-        })
+        self.get(session, off, size, || parts_or_all(session, off, size))
     }
 
     /// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or
@@ -78,6 +72,15 @@ impl KeptPlaces {
         size: (u32, u32),
     ) -> Vec<Place> {
         self.get(session, off, size, || apart(session, off, figure, size))
+    }
+}
+
+/// The parts that differ, or else all that is drawn if it stands elsewhere.
+fn parts_or_all(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
+    let parts = of_parts(session, off, size);
+    match parts.is_empty() {
+        true => elsewhere(session, off, size).into_iter().collect(),
+        false => parts,
     }
 }
 
@@ -117,12 +120,9 @@ const APART: f32 = 0.025;
 
 fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> Vec<Place> {
     let off = of_shapes(session, off, size);
-    let of_parts = of_parts(session, &off, size);
-    if !of_parts.is_empty() {
-        return of_parts;
-    }
-    if let Some(elsewhere) = elsewhere(session, &off, size) {
-        return vec![elsewhere];
+    let known = parts_or_all(session, &off, size);
+    if !known.is_empty() {
+        return known;
     }
     let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
     if apart.len() > MOST_APART {

@@ -36,7 +36,8 @@ pub(super) fn clusters<T>(
 const ALONG: u32 = 6;
 /// … and how many of them a cell has where they fill an area: a line through it has fewer.
 const FILLED: usize = (ALONG * ALONG / 3) as usize;
-/// Share of the largest cluster below which another one is a stray.
+/// Share of the largest cluster below which another one is a stray: where a limb stands before a shape, this is in several
+/// clusters of like size.
 const STRAY: f64 = 0.25;
 
 /// Those of the pixels that lie together in an area, and not along lines or in much smaller ones: a shape that moves takes

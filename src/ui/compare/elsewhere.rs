@@ -1,9 +1,9 @@
 //! Where a figure stands, by its outline in both pictures.
 
-use super::owned::Owned;
+use super::owned::{Owned, seen_at};
 use crate::compare::{FigureOff, outline_placement};
 use crate::editor::Session;
-use crate::scene::{ShapeId, seen_by};
+use crate::scene::ShapeId;
 use glam::Vec2;
 
 /// Most pixels that are looked at.
@@ -24,14 +24,14 @@ pub(super) fn placement_of_all(
     off: &FigureOff,
     size: (u32, u32),
 ) -> Option<(String, u32)> {
+    if !off.has_outline {
+        return None;
+    }
     let size = Vec2::new(size.0 as f32, size.1 as f32);
-    let (scene, evaluated) = (session.scene(), session.evaluated());
     // What is right may be lines of the ground as well.
-    let is_of_shape = |&[x, y]: &[u32; 2]| {
-        let pixel = Vec2::new(x as f32, y as f32) + 0.5;
-        seen_by(scene, evaluated, &session.view().camera.ray(pixel, size)).is_some()
-    };
-    placement(off, size, is_of_shape).filter(|_| off.has_outline)
+    let is_of_shape =
+        |&[x, y]: &[u32; 2]| seen_at(session, Vec2::new(x as f32, y as f32), size).is_some();
+    placement(off, size, is_of_shape)
 }
 
 /// The same of what is off and, of what is right, what `is_own`, with how many pixels a movement may be off.

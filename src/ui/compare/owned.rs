@@ -75,9 +75,7 @@ impl<'a> Owned<'a> {
     }
 
     fn seen_at(&self, pixel: Vec2) -> Option<Seen> {
-        let (scene, evaluated) = (self.session.scene(), self.session.evaluated());
-        let ray = self.session.view().camera.ray(pixel + 0.5, self.size);
-        seen_by(scene, evaluated, &ray)
+        seen_at(self.session, pixel, self.size)
     }
 
     /// Whether the mesh of a character is seen at a pixel.
@@ -142,6 +140,12 @@ impl<'a> Owned<'a> {
             _ => None,
         }
     }
+}
+
+/// What is seen at a pixel of a live view of `size` pixels; `None` if that is nothing.
+pub(super) fn seen_at(session: &Session, pixel: Vec2, size: Vec2) -> Option<Seen> {
+    let ray = session.view().camera.ray(pixel + 0.5, size);
+    seen_by(session.scene(), session.evaluated(), &ray)
 }
 
 /// Share that is off; `None` of too few.
