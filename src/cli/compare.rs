@@ -7,6 +7,7 @@ use crate::character::{Attachments, Character};
 use crate::compare::{
     Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
+use crate::diagnose::hardly_any_triangles;
 use crate::disk::{self, as_given, files};
 use crate::geometry::{Mesh, Picture};
 use crate::io::image;
@@ -246,7 +247,7 @@ fn meshes(args: &Args) -> Result<(), CliError> {
             }
         },
     };
-    let parts = parts(args, &files, a.positions.len())?;
+    let parts = parts(args, &files, &a)?;
     let options = MeshOptions {
         tolerance: args.threshold,
         allowed: args.max_pixels,
@@ -289,16 +290,26 @@ fn shell_word(text: &str) -> String {
     }
 }
 
-/// What each joint moves of the character that is named, or else of A if it is one; `None` without a
+/// What each joint moves of the character that is named, or else of A, whose mesh is `a`, if it is one; `None` without a
 /// character. A vertex belongs to the joint with the most weight.
-fn parts(args: &Args, files: &dyn Files, vertices: usize) -> Result<Option<MeshParts>, CliError> {
+fn parts(args: &Args, files: &dyn Files, a: &Mesh) -> Result<Option<MeshParts>, CliError> {
+    let vertices = a.positions.len();
     let character = match &args.character {
         Some(model) => {
             let character = character_of(files, model, vertices)?;
-            character.ok_or_else(|| {
+            let character = character.ok_or_else(|| {
                 let expected = format!("expected a character with {vertices} vertices, found none");
                 Diagnostic::new(model, expected)
-            })?
+            })?;
+            // Joints would be named of another one without any sign of it: some characters have as many vertices.
+            if let Some(same) = hardly_any_triangles(&character, a) {
+                let a = as_given(&args.a);
+                let expected = format!(
+                    "expected the model of {a}, found another one, with as many vertices but only {same} of the same triangles"
+                );
+                return Err(Diagnostic::new(model, expected).into());
+            }
+            character
         }
         // A mesh can be compared whatever lies beside it.
         None if is_character(files, &builtin::resolve(&args.a)?) => {

@@ -91,6 +91,18 @@ impl PixelGrid {
         rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
     }
 
+    /// `mask` with all pixels beside it.
+    pub fn grown(self, mask: &[bool]) -> Vec<bool> {
+        let is_in = |at| self.around(at).any(|near| mask[near]);
+        (0..mask.len()).map(is_in).collect()
+    }
+
+    /// `mask` without the pixels at its edge.
+    pub fn shrunk(self, mask: &[bool]) -> Vec<bool> {
+        let is_in = |at| self.around(at).all(|near| mask[near]);
+        (0..mask.len()).map(is_in).collect()
+    }
+
     /// Whether most of the pixels around a place, and so not an edge or a line alone, are such ones.
     pub fn is_solid(self, at: usize, is_such: impl Fn(usize) -> bool) -> bool {
         self.around(at).filter(|&at| is_such(at)).count() >= SOLID

@@ -37,7 +37,7 @@ pub use mesh::{
     WorstVertex, compare_meshes, permutation,
 };
 pub(crate) use mesh::{nearest_rotation, placement};
-pub use outlines::outline_placement;
+pub use outlines::{outline_placement, whole_outline_placed};
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
 pub use place::about;

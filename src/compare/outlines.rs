@@ -7,17 +7,27 @@ use crate::geometry::Picture;
 /// How the outline A is placed in B, in words: two pictures of `width` columns, row by row, each of which has the pixels that its
 /// outline covers. They stand for pixels that are `apart`, in which a movement is told. `None` if A is where it was, or not in B.
 pub fn outline_placement(width: usize, [a, b]: [&[bool]; 2], apart: u32) -> Option<String> {
-    let painted = |outline: &[bool]| Picture {
-        width: width as u32,
-        height: (outline.len() / width.max(1)) as u32,
-        rgba: outline.iter().copied().flat_map(white_on_black).collect(),
-    };
-    let [a, b] = [a, b].map(painted);
+    let [a, b] = [a, b].map(|outline| painted(width, outline));
     let pair = Pair::new(&a, &b, &[]).ok()?;
     let findings = pair.findings().into_iter();
     let mut placements =
         findings.filter_map(|found| moved_farther(found, apart as i32).placement());
     placements.next()
+}
+
+/// The same as a finding, where the outlines are of a figure alone, no part of which stands still if it is elsewhere.
+pub fn whole_outline_placed(width: usize, [a, b]: [&[bool]; 2]) -> Option<Finding> {
+    let [a, b] = [a, b].map(|outline| painted(width, outline));
+    Pair::new(&a, &b, &[]).ok()?.whole_placed()
+}
+
+/// A picture of so many columns in which an outline is white on black.
+fn painted(width: usize, outline: &[bool]) -> Picture {
+    Picture {
+        width: width as u32,
+        height: (outline.len() / width.max(1)) as u32,
+        rgba: outline.iter().copied().flat_map(white_on_black).collect(),
+    }
 }
 
 /// The same finding where a movement is so many times as far.

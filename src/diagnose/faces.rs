@@ -6,8 +6,9 @@ use super::model::Model;
 use super::search::AT_ONCE;
 use super::triangles::{Triangle, Wound, cut_otherwise, sorted, take, wound};
 use super::{Diagnosis, Verdict};
+use crate::character::Character;
 use crate::geometry::Mesh;
-use crate::steps::Pace;
+use crate::steps::{Pace, at_once};
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -187,6 +188,12 @@ impl fmt::Display for FaceDifference {
     }
 }
 
+/// How many triangles of `theirs` are the character's, however they wind, if that is hardly any: it is hardly a mesh of it.
+pub fn hardly_any_triangles(character: &Character, theirs: &Mesh) -> Option<usize> {
+    let (model, theirs) = (&character.bind_mesh().triangles, &theirs.triangles);
+    at_once(|pace| async move { same_if_hardly_any(model, theirs, &pace).await })
+}
+
 /// How many triangles both meshes have, however they wind, if that is hardly any of the model's.
 async fn same_if_hardly_any(model: &[Triangle], theirs: &[Triangle], pace: &Pace) -> Option<usize> {
     let known = different(model, pace).await;
@@ -209,7 +216,6 @@ async fn different(triangles: &[Triangle], pace: &Pace) -> HashSet<Triangle> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::steps::at_once;
 
     fn found(model: &[Triangle], theirs: &[Triangle]) -> FaceDifference {
         at_once(|pace| async move { FaceDifference::of_same_vertices(model, theirs, &pace).await })

@@ -167,8 +167,7 @@ impl Findings<'_> {
     /// are named first.
     pub(super) fn simplest(&self, mut explanations: Vec<Explanation>, pose: &Pose) -> Diagnosis {
         // Stable: otherwise the order of the tables decides.
-        let is_rare = |made: &&Made| made.reading.is_rare;
-        explanations.sort_by_key(|it| it.made.iter().filter(is_rare).count());
+        explanations.sort_by_key(Explanation::rare);
         let without_w: Vec<_> = (explanations.iter())
             .filter_map(Explanation::without_w)
             .collect();

@@ -44,15 +44,16 @@ macro_rules! in_other_units {
             meaning: $meaning,
             section: SLIDERS,
             look_at: $look_at,
+            // Programs seldom have it about one axis alone, where degrees taken for radians hardly turn at all.
             readings: &[
                 reading("", |formula| formula.joint.units = [AngleUnits::$units; 3]),
-                reading("about x alone", |formula| {
+                rare_reading("about x alone", |formula| {
                     formula.joint.units[0] = AngleUnits::$units
                 }),
-                reading("about y alone", |formula| {
+                rare_reading("about y alone", |formula| {
                     formula.joint.units[1] = AngleUnits::$units
                 }),
-                reading("about z alone", |formula| {
+                rare_reading("about z alone", |formula| {
                     formula.joint.units[2] = AngleUnits::$units
                 }),
             ],

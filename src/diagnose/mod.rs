@@ -60,7 +60,7 @@ mod wrong_offset;
 
 pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 pub use diagnosis_words::{in_words, of_size, part_of_size, within_everywhere};
-pub use faces::FaceDifference;
+pub use faces::{FaceDifference, hardly_any_triangles};
 pub use formula::{
     About, AngleAtEnd, AngleUnits, AnglesOf, AtEnd, Chain, Columns, Divided, Factor, Factors,
     Formula, Halves, JointFormula, JointOrder, JointsBy, Kept, Offsets, OtherJoint, Parents,

@@ -233,7 +233,13 @@ impl PictureDiagnosis {
 
     /// Takes what gives the silhouette, if anything does, into account.
     fn explain(&mut self, explanations: &[Explanation]) {
-        let alike = alike(explanations, least(explanations));
+        // A silhouette is rough: what hardly any program does is not named beside what is done often. Stable: otherwise the
+        // order of the tables decides.
+        let mut usual_first = explanations.to_vec();
+        usual_first.sort_by_key(Explanation::rare);
+        let mut alike = alike(&usual_first, least(explanations));
+        let least_rare = alike.first().map(|one| one.rare());
+        alike.retain(|one| Some(one.rare()) == least_rare);
         let Some((first, others)) = alike.split_first() else {
             self.verdict = Verdict::Unexplained;
             return;

@@ -53,6 +53,11 @@ impl Explanation {
         self.made.iter().map(|made| made.mistake.id).collect()
     }
 
+    /// How many of the mistakes are made in a way that programs hardly have.
+    pub(super) fn rare(&self) -> usize {
+        self.made.iter().filter(|made| made.reading.is_rare).count()
+    }
+
     /// The same beside that vertices are in `order`, if that is not the file's.
     pub(super) fn of_order(mut self, order: VertexOrder) -> Self {
         let in_order = |made: &Made| formula(&[*made]).vertex_order == order;

@@ -1,9 +1,10 @@
 //! Where the figure in a screenshot of the Virtual Mannequin's page is not the one in our picture, whatever differs behind and
 //! before it: the page has noise in its floor, and other lines for bones.
 
-use crate::compare::{FigureOff, PixelGrid};
+use crate::compare::{FigureOff, Finding, PixelGrid, whole_outline_placed};
 use crate::geometry::Picture;
-use crate::ui::PageFigure;
+use crate::ui::{FigureElsewhere, PageFigure};
+use glam::DVec2;
 use std::ops::Range;
 
 /// Background of the page's view.
@@ -16,6 +17,14 @@ const SHADES: u8 = 48;
 const SIDE: usize = 8;
 /// Share of the width by which the two may differ in height where the horizon is level.
 const LEVEL: f64 = 0.005;
+/// Half the width of the line of a bone, in pixels, with what is mixed with it.
+const HALF_A_LINE: usize = 3;
+/// Part of the height, one in so many, in which the floor is near: farther off its squares are as small as the page's noise.
+const NEAR: usize = 4;
+/// How far the brightness of squares of the floor is apart.
+const SQUARES: u8 = 64;
+/// How far a floor moves that another camera shows elsewhere, by how far the figure does.
+const MOVED_WITH_IT: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 
 /// What a pixel of a picture in the page's look is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,16 +77,32 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     let figure = (0..page.pixels.len()).filter(is_figure);
     let of_meshes = page.meshes() + ours.meshes();
     let islands = [page.islands_off(&ours), ours.islands_off(&page)];
+    let off = FigureOff::new(
+        page.grid,
+        islands.each_ref().map(Vec::as_slice),
+        of_meshes,
+        ours.right(&page),
+        true,
+    );
     Some(PageFigure {
         area: page.grid.area_around(figure)?,
         is_slanted: page.is_slanted(),
-        off: FigureOff::new(
-            page.grid,
-            islands.each_ref().map(Vec::as_slice),
-            of_meshes,
-            ours.right(&page),
-            true,
-        ),
+        elsewhere: off.as_ref().and_then(|_| elsewhere(&page, &ours)),
+        off,
+    })
+}
+
+/// How the outline of the figure in `page` is placed in `ours`, if it is there and elsewhere.
+fn elsewhere(page: &FigureIn<'_>, ours: &FigureIn<'_>) -> Option<FigureElsewhere> {
+    let outlines = [page.outline(), ours.outline()];
+    let placed = whole_outline_placed(page.grid.width, outlines.each_ref().map(Vec::as_slice))?;
+    let Finding::Placed { dx, dy, factor, .. } = placed else {
+        return None;
+    };
+    let by = DVec2::new(dx.into(), dy.into());
+    Some(FigureElsewhere {
+        placement: placed.placement()?,
+        is_floor_right: page.has_floor_of(ours, by, factor),
     })
 }
 
@@ -128,6 +153,49 @@ impl FigureIn<'_> {
         (0..self.pixels.len())
             .filter(|&at| self.is_mesh(at))
             .count()
+    }
+
+    /// The pixels that the figure covers, with those between which lines of bones are drawn over it; lines beside it are none.
+    fn outline(&self) -> Vec<bool> {
+        let meshes: Vec<bool> = (0..self.pixels.len()).map(|at| self.is_mesh(at)).collect();
+        let without_lines = self.grid.grown(&self.grid.shrunk(&meshes));
+        let widths = 0..HALF_A_LINE;
+        let wide = widths
+            .clone()
+            .fold(without_lines, |mask, _| self.grid.grown(&mask));
+        widths.fold(wide, |mask, _| self.grid.shrunk(&mask))
+    }
+
+    /// Whether the floor is where `other` has it rather than where a camera would have it that sees the figure moved by so
+    /// many pixels and so many times as large: there nearer parts move farther.
+    fn has_floor_of(&self, other: &Self, by: DVec2, factor: f64) -> bool {
+        let off = |share: f64| self.floor_off(other, share * by, 1.0 + share * (factor - 1.0));
+        let still = off(0.0);
+        MOVED_WITH_IT.into_iter().all(|share| still < off(share))
+    }
+
+    /// The share of the floor near the eye that differs where `other` has it, so many pixels farther and so many times as
+    /// large.
+    fn floor_off(&self, other: &Self, by: DVec2, factor: f64) -> f64 {
+        let PixelGrid { width, height } = self.grid;
+        let size = DVec2::new(width as f64, height as f64);
+        let (mut seen, mut off) = (0, 0);
+        for y in height - height / NEAR..height {
+            for x in 0..width {
+                let from_middle = DVec2::new(x as f64, y as f64) - 0.5 * size;
+                let there = (factor * from_middle + 0.5 * size + by).round();
+                if there.cmplt(DVec2::ZERO).any() || there.cmpge(size).any() {
+                    continue;
+                }
+                let theirs = other.pixels[there.y as usize * width + there.x as usize];
+                let ours = self.pixels[y * width + x];
+                if [ours, theirs].map(Part::of) == [Part::Behind; 2] {
+                    seen += 1;
+                    off += usize::from(ours[0].abs_diff(theirs[0]) > SQUARES);
+                }
+            }
+        }
+        off as f64 / f64::from(seen.max(1))
     }
 
     /// Places of the figure where `other` has another color or none, and not at an edge alone, by which hang together.

@@ -66,8 +66,8 @@ pub use commands::{
 };
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
-    CompareView, MeshesShown, PageFigure, ShownPicture, course_panels, mannequin_panels,
-    picture_texture,
+    CompareView, FigureElsewhere, MeshesShown, PageFigure, ShownPicture, course_panels,
+    mannequin_panels, picture_texture,
 };
 pub use mesh_colors::{Legend, MeshColors};
 pub use method_view::ShownScene;

@@ -354,6 +354,37 @@ fn a_mesh_that_is_bent_at_an_elbow_is_told_by_that_joint() {
 }
 
 #[test]
+fn a_character_that_has_as_many_vertices_but_is_not_that_of_the_meshes_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: String| fs::write(folder.path().join(name), text).unwrap();
+    // A strip of triangles, and one that takes the same vertices in another order.
+    let character = |name: &str, step: usize| {
+        let vertices: String = (0..60).map(|at| format!("v {at} {} 0\n", at % 2)).collect();
+        let corner = |at: usize| 1 + at * step % 60;
+        let face = |at: usize| {
+            let [a, b, c] = [at, at + 1, at + 2].map(corner);
+            format!("f {a} {b} {c}\n")
+        };
+        let faces: String = (0..58).map(face).collect();
+        write(&format!("{name}.obj"), vertices + &faces);
+        write(&format!("{name}.skel"), "0 0 0 -1\n1 0 0 0\n".to_owned());
+        write(&format!("{name}.attach"), "1\n".repeat(60));
+    };
+    character("mine", 1);
+    character("other", 7);
+    let mesh = fs::read_to_string(folder.path().join("mine.obj")).unwrap();
+    write("a.obj", mesh.clone());
+    write("b.obj", mesh.replace("v 3 1 0", "v 3 2 0"));
+    let by = |model| compare(&folder, &["a.obj", "b.obj", "--character", model]);
+    let (code, out, _) = by("mine.obj");
+    assert!(code == 1 && out.contains("near Joint 1"), "{out}");
+    let (code, out, err) = by("other.obj");
+    let expected = "error: other.obj: expected the model of a.obj, found another one, with as many vertices but only 0 of \
+                    the same triangles\n";
+    assert_eq!((code, &*out, &*err), (1, "", expected));
+}
+
+#[test]
 fn where_a_has_vertices_alone_what_is_wrong_in_b_is_told() {
     let folder = meshes();
     let write = |name, text| fs::write(folder.path().join(name), text).unwrap();

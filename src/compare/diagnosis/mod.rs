@@ -34,6 +34,14 @@ impl Pair<'_> {
     pub(super) async fn paced_findings(&self, pace: &Pace) -> Vec<Finding> {
         without_names(named_findings(self, pace).await)
     }
+
+    /// A's outline found again in B, where all that is drawn is one figure.
+    pub(super) fn whole_placed(&self) -> Option<Finding> {
+        at_once(|pace| async move {
+            let evidence = Evidence::new(self, &pace).await;
+            placed::whole_placed(&evidence).await
+        })
+    }
 }
 
 /// Findings with the names of their rules.

@@ -8,6 +8,8 @@ use glam::DVec2;
 
 /// Outlines agree if no more than this share of what is drawn does not.
 const SAME: f64 = 0.03;
+/// The same of a figure that is all that is drawn: one that another place showed from a slightly other side left 6 %.
+const SAME_WHOLE: f64 = 0.08;
 /// Where so much of each outline lies outside of the other, the figure stands elsewhere, however else
 /// it differs.
 const ELSEWHERE: f64 = 0.4;
@@ -25,6 +27,10 @@ const LEAST_SCALE: f64 = 0.02;
 const LEAST_TURN: f64 = 0.03;
 /// Pixels that are looked at while a movement is sought.
 const SAMPLES: f64 = 10_000.0;
+/// Steps to either side of the middle of a figure in which its nearest place is sought, …
+const STEPS: i32 = 6;
+/// … of which so many go across it.
+const STEPS_ACROSS: f64 = 160.0;
 /// Steps of a search that does not come to an end before.
 const MOST_STEPS: usize = 200;
 
@@ -33,38 +39,36 @@ const MOST_STEPS: usize = 200;
 pub(super) async fn placed(evidence: &Evidence<'_>) -> Option<Finding> {
     evidence.outline().await?;
     let outlines = Outlines::new(evidence).await?;
-    let starts = outlines.starts();
-    let mut found = Vec::new();
-    for start in starts {
-        found.push(outlines.refined(start).await);
-    }
-    let (_, place) = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let place = outlines.best_of(&outlines.starts()).await?;
     let before = outlines.misfit(outlines.still()).await;
     let after = outlines.misfit(place).await;
-    let explains_all = after.share() <= SAME && after.differing * LEFT_ONE_IN <= before.differing;
+    let explains_all = after.share() <= SAME && after.explains_most_of(before);
     let is_elsewhere =
         outlines.stands_apart() && after.share() <= before.share() * ELSEWHERE_LEAVES;
     let spoils_little = after.spoiled * SPOILED_ONE_IN <= before.differing;
-    let is_in_view = 2.0 * after.seen >= outlines.moments[1].count;
-    if !(explains_all || is_elsewhere) || !spoils_little || !is_in_view {
-        return None;
-    }
-    let by = place.center_b - outlines.moments[0].center;
-    let told = |value: f64, least: f64, size: f64| if size < least { 0.0 } else { value };
-    let (dx, dy) = (by.x.round() as i32, by.y.round() as i32);
-    let scale = (place.factor - 1.0).abs();
-    let factor = 1.0 + told(place.factor - 1.0, LEAST_SCALE, scale);
-    let degrees = told(place.turn.to_degrees(), LEAST_TURN, place.turn.abs());
-    let is_nothing = (dx, dy) == (0, 0) && factor == 1.0 && degrees == 0.0;
-    (!is_nothing).then_some(Finding::Placed {
-        dx,
-        dy,
-        factor,
-        degrees,
-        unexplained: if explains_all { 0.0 } else { after.share() },
-    })
+    let is_told = (explains_all || is_elsewhere) && spoils_little && outlines.are_in_view(after);
+    let unexplained = if explains_all { 0.0 } else { after.share() };
+    is_told.then(|| outlines.finding(place, unexplained))?
 }
 
+/// The same of a figure that is all that is drawn, so that no part of it stands still. What of it differs even so, as where
+/// it is seen from another side then, may be more.
+pub(super) async fn whole_placed(evidence: &Evidence<'_>) -> Option<Finding> {
+    let outlines = Outlines::new(evidence).await?;
+    let [upright, ..] = outlines.starts();
+    let of_one_size = Place {
+        factor: 1.0,
+        ..upright
+    };
+    let starts = [upright, of_one_size, outlines.nearest().await];
+    let place = outlines.best_of(&starts).await?;
+    let before = outlines.misfit(outlines.still()).await;
+    let after = outlines.misfit(place).await;
+    let is_told = after.share() <= SAME_WHOLE && after.explains_most_of(before);
+    let unexplained = Some(after.share()).filter(|share| *share > SAME);
+    (is_told && outlines.are_in_view(after))
+        .then(|| outlines.finding(place, unexplained.unwrap_or(0.0)))?
+}
 /// Where B has what A has around a center of its own.
 #[derive(Clone, Copy, Debug)]
 struct Place {
@@ -92,6 +96,11 @@ struct Misfit {
 impl Misfit {
     fn share(self) -> f64 {
         self.differing / self.drawn.max(1.0)
+    }
+
+    /// Whether hardly anything is left of what differs `before`.
+    fn explains_most_of(self, before: Self) -> bool {
+        self.differing * LEFT_ONE_IN <= before.differing
     }
 }
 
@@ -191,6 +200,57 @@ impl<'a> Outlines<'a> {
             factor: 1.0,
             turn: 0.0,
         }
+    }
+
+    /// What is told of A in a place in B, where so much of it differs even so; `None` if it is where it was.
+    fn finding(&self, place: Place, unexplained: f64) -> Option<Finding> {
+        let by = place.center_b - self.moments[0].center;
+        let told = |value: f64, least: f64, size: f64| if size < least { 0.0 } else { value };
+        let (dx, dy) = (by.x.round() as i32, by.y.round() as i32);
+        let scale = (place.factor - 1.0).abs();
+        let factor = 1.0 + told(place.factor - 1.0, LEAST_SCALE, scale);
+        let degrees = told(place.turn.to_degrees(), LEAST_TURN, place.turn.abs());
+        let is_nothing = (dx, dy) == (0, 0) && factor == 1.0 && degrees == 0.0;
+        (!is_nothing).then_some(Finding::Placed {
+            dx,
+            dy,
+            factor,
+            degrees,
+            unexplained,
+        })
+    }
+
+    /// Whether half of B at least has a place in A's picture.
+    fn are_in_view(&self, misfit: Misfit) -> bool {
+        2.0 * misfit.seen >= self.moments[1].count
+    }
+
+    /// The best place that is found from some.
+    async fn best_of(&self, starts: &[Place]) -> Option<Place> {
+        let mut found = Vec::new();
+        for start in starts {
+            found.push(self.refined(*start).await);
+        }
+        let best = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        best.map(|(_, place)| place)
+    }
+
+    /// The best movement by steps that are a part of the figure's size, around where the middles agree.
+    async fn nearest(&self) -> Place {
+        let (region, _) = self.sought;
+        let step = f64::from(region.width.max(region.height)) / STEPS_ACROSS;
+        let mut best = (f64::INFINITY, self.still());
+        for (x, y) in (-STEPS..=STEPS).flat_map(|y| (-STEPS..=STEPS).map(move |x| (x, y))) {
+            let place = Place {
+                center_b: self.moments[1].center + step * DVec2::new(x.into(), y.into()),
+                ..self.still()
+            };
+            let cost = self.cost(place).await;
+            if cost < best.0 {
+                best = (cost, place);
+            }
+        }
+        best.1
     }
 
     /// Whether much of what either shows is where the other shows nothing. What was only added to A

@@ -51,15 +51,14 @@ impl KeptPlaces {
         self.places.clone()
     }
 
-    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does, or else all of the figure
-    /// if it stands elsewhere.
+    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
     pub(super) fn of_parts(
         &mut self,
         session: &Session,
         off: &FigureOff,
         size: (u32, u32),
     ) -> Vec<Place> {
-        self.get(session, off, size, || parts_or_all(session, off, size))
+        self.get(session, off, size, || of_parts(session, off, size))
     }
 
     /// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or
@@ -148,7 +147,7 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
 fn elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
     let (placement, within) = placement_of_all(session, off, size)?;
     Some(Place {
-        told: placed_elsewhere(&placement, within),
+        told: placed_elsewhere(&placement, within, false),
         area: off.area,
         is_part: false,
         instead: None,

@@ -107,6 +107,17 @@ pub struct PageFigure {
     pub is_slanted: bool,
     /// What differs of it; `None` if the figures agree.
     pub off: Option<FigureOff>,
+    /// Where all of it is in the live view, if it is elsewhere.
+    pub elsewhere: Option<FigureElsewhere>,
+}
+
+/// Where a figure is that stands elsewhere in the live view.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FigureElsewhere {
+    /// How it is placed there, in words.
+    pub placement: String,
+    /// Whether the floor near the eye is the same in both, so that the camera is.
+    pub is_floor_right: bool,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

@@ -1,7 +1,7 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
 use super::apart::{KeptPlaces, Place};
-use super::place::place;
+use super::place::{place, placed_elsewhere};
 use super::{CompareView, PageFigure};
 use crate::compare::sentence;
 use crate::editor::Session;
@@ -9,7 +9,8 @@ use crate::editor::Session;
 pub(super) const AGREES: &str =
     "The figure agrees but for its edges and what lines of bones cover.";
 
-pub(super) const DIFFERS: &str = "No single cause explains the differences. But for edges and lines of bones, the figure differs:";
+pub(super) const DIFFERS: &str =
+    "The figure differs, not only by its edges and what lines of bones cover:";
 
 /// What always differs, of the page and of what may be its view.
 const ALWAYS: [&str; 2] = [
@@ -58,8 +59,15 @@ impl FigureTold {
                 is_sure,
             };
         };
-        let places = kept.of_parts(session, off, compare.size());
+        let mut places = kept.of_parts(session, off, compare.size());
         let area = off.area;
+        let elsewhere = figure.elsewhere.as_ref().filter(|_| places.is_empty());
+        places.extend(elsewhere.map(|elsewhere| Place {
+            told: placed_elsewhere(&elsewhere.placement, 1, elsewhere.is_floor_right),
+            area,
+            is_part: elsewhere.is_floor_right,
+            instead: None,
+        }));
         // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
         let is_much = area.share_of(figure.area) >= MUCH;
         if places.is_empty() {

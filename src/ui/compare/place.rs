@@ -42,13 +42,19 @@ pub(super) fn whole(character: &str, part: &str, how: Option<&str>) -> String {
 }
 
 /// Sentence about all that is drawn, whose outline is so placed in the live view, in words, `within` so many pixels.
-pub(super) fn placed_elsewhere(placement: &str, within: u32) -> String {
+pub(super) fn placed_elsewhere(placement: &str, within: u32, is_camera_right: bool) -> String {
     let within = match within {
         0 | 1 => String::new(),
         within => format!(" (to within {within} pixels)"),
     };
+    let reason = match is_camera_right {
+        true => {
+            "the floor is where A has it, so that it is the shape or its root that stands elsewhere"
+        }
+        false => "another camera, or another place or size of the shape",
+    };
     sentence(&format!(
-        "in B the whole figure is {placement}{within}: another camera, or another place or size of the shape"
+        "in B the whole figure is {placement}{within}: {reason}"
     ))
 }
 
