@@ -42,12 +42,18 @@ impl BoxSelect {
         self.drawn = None;
     }
 
-    /// What the status line says while a box is to be drawn.
-    pub(super) fn status(&self, pointing: Pointing) -> Option<&'static str> {
-        let next = pointing.words(
-            "Drag a box · Shift adds · Ctrl takes out · Esc cancels",
-            "Drag a box",
-        );
+    /// What the status line says while a box is to be drawn, which with a tool that poses is one of joints.
+    pub(super) fn status(&self, pointing: Pointing, is_of_joints: bool) -> Option<&'static str> {
+        let next = match is_of_joints {
+            true => pointing.words(
+                "Drag a box round joints · Shift adds · Ctrl takes out · Esc cancels",
+                "Drag a box round joints",
+            ),
+            false => pointing.words(
+                "Drag a box · Shift adds · Ctrl takes out · Esc cancels",
+                "Drag a box",
+            ),
+        };
         (self.armed || self.is_drawing()).then_some(next)
     }
 }

@@ -317,8 +317,8 @@ pub(super) fn press(
     }
     let selected = session.selected().and_then(|id| session.scene().shape(id));
     let hides = command == Command::ToggleVisible && selected.is_some_and(|shape| shape.visible);
-    let deletes_shape = command == Command::Delete
-        && control_points::delete_clicked(session, &state.curves).is_none();
+    let deletes_point = control_points::delete_clicked(session, &state.curves).is_some();
+    let deletes_shape = command == Command::Cut || command == Command::Delete && !deletes_point;
     actions.extend(commands::run(command, session, state, aspect));
     if (hides || deletes_shape) && state.navigation == Navigation::Blender {
         // Neither what is not seen nor another shape is to be deleted by the next key.

@@ -259,7 +259,8 @@ fn status(
         );
         return (None, next.into());
     }
-    if let Some(next) = state.box_select.status(pointing) {
+    let is_of_joints = posing::posed(session, state.pose.tool).is_some();
+    if let Some(next) = state.box_select.status(pointing, is_of_joints) {
         return (None, next.into());
     }
     if let Some((point, next)) = control_points::status(session, pointing) {

@@ -131,6 +131,10 @@ fn b_selects_in_a_box_and_j_poses_and_tab_still_goes_to_the_panels() {
     editor.key(Key::B);
     assert!(editor.has("Drag a box · Shift adds · Ctrl takes out · Esc cancels"));
     editor.key(Key::Escape);
+    editor.key(Key::J);
+    editor.key(Key::B);
+    assert!(editor.has("Drag a box round joints · Shift adds · Ctrl takes out · Esc cancels"));
+    editor.key(Key::Escape);
     let has_pose_tool = |editor: &Editor| {
         let tool = editor.widget("Pose Tool");
         tool.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)

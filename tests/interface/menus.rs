@@ -476,7 +476,11 @@ fn a_tooltip_of_a_menu_covers_none_of_its_items() {
                 "Open…",
                 "Open a scene, or a model as a new document",
             ),
-            ("Insert", "Cube", "Add a cube at the origin"),
+            (
+                "Insert",
+                "Cube",
+                "Add a cube at the origin, or beside the characters that are there",
+            ),
             ("Edit", "Undo", "There is nothing to undo"),
         ] {
             let mut editor = Editor::sized(size);

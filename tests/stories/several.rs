@@ -4,7 +4,7 @@ use super::{Story, differing};
 use crate::host::MemoryHost;
 use editor_core::editor::{Severity, View};
 use editor_core::scene::{ModelDisplay, ShapeId};
-use editor_core::ui::{Action, Ask};
+use editor_core::ui::{Action, Ask, Navigation};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use glam::Vec3;
 
@@ -264,6 +264,31 @@ fn copies_stand_beside_and_are_one_step() {
     assert!((positions[3].x - 1.54).abs() < 1e-4, "{positions:?}");
     story.key_with(CTRL, Key::Z);
     assert_eq!(story.names().len(), 3);
+}
+
+#[test]
+fn a_tool_that_poses_cuts_no_character() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.click("Pose Tool");
+    story.key_with(CTRL, Key::X);
+    assert_eq!(story.names(), ["Strip"]);
+    let told = story.messages().last().unwrap().1.to_owned();
+    assert!(told.starts_with("The Pose and IK tools copy"), "{told}");
+    story.click("Select Tool");
+    story.key_with(CTRL, Key::X);
+    assert!(story.names().is_empty());
+}
+
+#[test]
+fn in_the_blender_navigation_nothing_is_selected_after_a_cut_that_another_one_would_take() {
+    for navigation in [Navigation::Course, Navigation::Blender] {
+        let mut story = with_three();
+        story.program.ui_mut().set_navigation(navigation);
+        story.key_with(CTRL, Key::X);
+        assert_eq!(story.names(), ["Cube", "Sphere"]);
+        let is_selected = story.session().selected().is_some();
+        assert_eq!(is_selected, navigation == Navigation::Course);
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! When commands are disabled.
 
 use super::hiding::{hidden, others};
-use super::pose_commands::mirror_joints;
+use super::pose_commands::{mirror_joints, posed_character};
 use super::put_back::why_nothing_back;
 use super::run::{character_to_compare, selected_character, selected_curves};
 use super::sweep::{revolution, sweep};
@@ -59,6 +59,9 @@ pub(in crate::ui) fn why_disabled(
         {
             Some("No shape is selected")
         }
+        Command::Cut if posed_character(session, state).is_some() => Some(
+            "The Pose and IK tools copy the pose, and cut nothing: the Select tool (V) cuts the character",
+        ),
         Command::ResetPosition | Command::ResetRotation | Command::ResetScale => {
             why_nothing_back(command, session)
         }
