@@ -1393,3 +1393,87 @@ fn a_root_that_is_moved_a_little_is_told_by_the_floor_of_the_page_from_a_camera_
         assert!(is_told && is_camera_blamed, "{nearer} {aside}: {texts:?}");
     }
 }
+
+#[test]
+fn a_camera_that_is_turned_is_told_with_how_far_and_no_joint_is_blamed() {
+    for (files, look, around, above) in [
+        (&["builtin:adult"][..], Look::Course, -12.0_f32, 0.0_f32),
+        (&["builtin:adult"], Look::Course, 8.0, 6.0),
+        (&["builtin:adult"], Look::Studio, -14.0, 0.0),
+        (&["builtin:robot", "builtin:dog"], Look::Course, -12.0, 0.0),
+        (&["builtin:robot", "builtin:dog"], Look::Studio, 8.0, 6.0),
+    ] {
+        let mut story = Story::start(files);
+        show_in(&mut story, look);
+        keep_picture(&mut story, (800, 600));
+        let here = story.session().view().camera;
+        let turned = Camera {
+            theta: here.theta + around.to_radians(),
+            phi: here.phi + above.to_radians(),
+            ..here
+        };
+        let seen = vec![Action::View(View::SetCamera(turned))];
+        story.program.carry_out(seen, &mut story.host);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        assert!(!has_text(&story, "Near "), "{told:?}");
+        let camera = told
+            .iter()
+            .find_map(|text| text.strip_prefix("A is seen by another camera than B: "));
+        let camera = camera.unwrap_or_else(|| panic!("{files:?} {look:?}: {told:?}"));
+        let (camera, _) = camera.split_once(". From there").expect("a sentence");
+        let sides = [
+            (around, ["to the left", "to the right"]),
+            (above, ["up", "down"]),
+        ];
+        for (by, ways) in sides.into_iter().filter(|(by, _)| *by != 0.0) {
+            // From B back to A.
+            let way = ways[usize::from(by > 0.0)];
+            assert!(camera.contains(way), "{by}: {camera}");
+            // Where shadows are seen as well it is not said how far.
+            let Some(numbers) = camera.strip_prefix("about ") else {
+                assert!(look == Look::Studio, "{camera}");
+                continue;
+            };
+            let mut degrees = numbers
+                .split(", ")
+                .filter_map(|part| part.strip_suffix(way)?.strip_suffix("° farther "));
+            let degrees: f32 = degrees.next().expect(way).parse().unwrap();
+            assert!((degrees - by.abs()).abs() <= 2.0, "{by}: {camera}");
+        }
+    }
+}
+
+#[test]
+fn several_joints_that_are_turned_are_told_and_no_camera() {
+    for look in [Look::Course, Look::Studio] {
+        let mut story = Story::start(&["builtin:adult"]);
+        show_in(&mut story, look);
+        keep_picture(&mut story, (800, 600));
+        let id = story.session().scene().shapes()[0].id;
+        let turned = [
+            ("Left elbow", 40.0),
+            ("Right elbow", -40.0),
+            ("Right leg", 25.0),
+        ];
+        let mut pose = Pose::new();
+        for (name, degrees) in turned {
+            let character = story.session().scene().character(id).unwrap();
+            let joint = Pose::find_joint(character.character.skeleton(), name).unwrap();
+            pose.set_joint_transform(joint, Euler::from_degrees(Vec3::Z * degrees));
+        }
+        let edit = Edit::SetPose(id, pose);
+        story.program.session_mut().edit(edit).unwrap();
+        story.settle();
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        assert!(!has_text(&story, "A is seen by another camera"), "{told:?}");
+        for (name, _) in turned {
+            assert!(has_text(&story, &format!("Near {name}")), "{told:?}");
+        }
+    }
+}

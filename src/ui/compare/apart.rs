@@ -2,8 +2,9 @@
 
 use super::clusters::clusters;
 use super::elsewhere::placement_of_all;
+use super::other_camera::other_camera;
 use super::parts::{How, Kind, of_shapes, parts};
-use super::place::{near, place, placed_elsewhere, whole};
+use super::place::{near, place, placed_elsewhere, seen_from_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
@@ -51,14 +52,18 @@ impl KeptPlaces {
         self.places.clone()
     }
 
-    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does.
-    pub(super) fn of_parts(
+    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does, or else all of the figure
+    /// if it stands `elsewhere` or is seen by another camera.
+    pub(super) fn of_figure(
         &mut self,
         session: &Session,
         off: &FigureOff,
         size: (u32, u32),
+        elsewhere: impl FnOnce() -> Option<Place>,
     ) -> Vec<Place> {
-        self.get(session, off, size, || of_parts(session, off, size))
+        self.get(session, off, size, || {
+            parts_or_all(session, off, size, elsewhere)
+        })
     }
 
     /// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or
@@ -74,13 +79,32 @@ impl KeptPlaces {
     }
 }
 
-/// The parts that differ, or else all that is drawn if it stands elsewhere.
-fn parts_or_all(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
+/// The parts that differ, or else all that is drawn if it stands `elsewhere` or is seen by another camera.
+fn parts_or_all(
+    session: &Session,
+    off: &FigureOff,
+    size: (u32, u32),
+    elsewhere: impl FnOnce() -> Option<Place>,
+) -> Vec<Place> {
     let parts = of_parts(session, off, size);
-    match parts.is_empty() {
-        true => elsewhere(session, off, size).into_iter().collect(),
-        false => parts,
-    }
+    let all = match parts.len() {
+        0 => elsewhere().or_else(|| from_elsewhere(session, off, size)),
+        1 => None,
+        // What several parts would explain may be one camera.
+        _ => from_elsewhere(session, off, size),
+    };
+    all.map_or(parts, |all| vec![all])
+}
+
+/// All that is drawn, if it is where the other picture has it as another camera sees it.
+fn from_elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
+    let camera = other_camera(session, off, size)?;
+    Some(Place {
+        told: seen_from_elsewhere(&camera),
+        area: off.area,
+        is_part: false,
+        instead: None,
+    })
 }
 
 fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
@@ -119,7 +143,7 @@ const APART: f32 = 0.025;
 
 fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> Vec<Place> {
     let off = of_shapes(session, off, size);
-    let known = parts_or_all(session, &off, size);
+    let known = parts_or_all(session, &off, size, || elsewhere(session, &off, size));
     if !known.is_empty() {
         return known;
     }

@@ -16,6 +16,7 @@ mod mesh_distances;
 mod mesh_marker;
 mod mesh_panel;
 mod mesh_view;
+mod other_camera;
 mod outlined;
 mod owned;
 mod page_figure;

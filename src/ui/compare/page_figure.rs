@@ -59,15 +59,16 @@ impl FigureTold {
                 is_sure,
             };
         };
-        let mut places = kept.of_parts(session, off, compare.size());
         let area = off.area;
-        let elsewhere = figure.elsewhere.as_ref().filter(|_| places.is_empty());
-        places.extend(elsewhere.map(|elsewhere| Place {
-            told: placed_elsewhere(&elsewhere.placement, 1, elsewhere.is_floor_right),
-            area,
-            is_part: elsewhere.is_floor_right,
-            instead: None,
-        }));
+        let places = kept.of_figure(session, off, compare.size(), || {
+            let elsewhere = figure.elsewhere.as_ref()?;
+            Some(Place {
+                told: placed_elsewhere(&elsewhere.placement, 1, elsewhere.is_floor_right),
+                area,
+                is_part: elsewhere.is_floor_right,
+                instead: None,
+            })
+        });
         // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
         let is_much = area.share_of(figure.area) >= MUCH;
         if places.is_empty() {

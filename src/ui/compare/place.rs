@@ -58,6 +58,13 @@ pub(super) fn placed_elsewhere(placement: &str, within: u32, is_camera_right: bo
     ))
 }
 
+/// Sentence about all that is drawn, which is where the other picture has it when a camera sees it that differs so, in words.
+pub(super) fn seen_from_elsewhere(camera: &str) -> String {
+    format!(
+        "A is seen by another camera than B: {camera}. From there all that is drawn is where A has it. Or all of it is turned."
+    )
+}
+
 /// Share of the bone of a joint that is in the area of what the joint has turned, but for its beginning; and of bones that
 /// hang on that, which may have gone out of it.
 const OWN: f32 = 0.75;
