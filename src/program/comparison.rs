@@ -2,7 +2,9 @@ use super::Host;
 use super::edges::Edges;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
-use crate::compare::{Area, CompareError, Measured, Pair, PictureJob, side_by_side};
+use crate::compare::{
+    Area, CompareError, Measured, Pair, PictureJob, has_smooth_edges, side_by_side,
+};
 use crate::geometry::{GroundColors, Picture};
 use crate::render::Backdrop;
 use crate::revision::Revision;
@@ -47,6 +49,8 @@ pub(super) struct Comparison {
     drawing: Option<Drawn>,
     settings: CompareSettings,
     edges: Edges,
+    /// Whether the reference has smooth edges, if that is clear.
+    is_reference_smooth: Option<bool>,
     report: CompareReport,
     measuring: Measuring,
 }
@@ -128,6 +132,7 @@ impl Comparison {
             is_page: false,
             name: file_name(&path),
             path,
+            is_reference_smooth: has_smooth_edges(&reference),
             reference: Textured::new(reference),
             live: None,
             difference: None,
@@ -198,6 +203,7 @@ impl Comparison {
             look: self.looks.0,
             is_cut: self.is_cut,
             are_edges_chosen: self.edges == Edges::Chosen,
+            is_reference_smooth: self.is_reference_smooth,
             settings: &self.settings,
             reference: self.reference.shown()?,
             live: self.live.as_ref().and_then(Textured::shown),
@@ -345,7 +351,7 @@ impl Comparison {
 
     /// Chooses the edges of the live view, of whose pixels so many differ as it is drawn now.
     fn choose_edges(&mut self, differing: u64) {
-        if let Some(found) = self.edges.after(differing, &self.reference.picture) {
+        if let Some(found) = self.edges.after(differing, self.is_reference_smooth) {
             (self.edges, self.settings.smooth_edges) = found;
         }
     }

@@ -1,8 +1,5 @@
 //! Whether the live view of a comparison has smooth edges.
 
-use crate::compare::has_smooth_edges;
-use crate::geometry::Picture;
-
 /// How far it is known whether the reference has smooth edges, as pictures of this program have and those of the
 /// course's have not: the live view is drawn both ways, and that which is nearer is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,16 +18,16 @@ const ALIKE: f64 = 0.1;
 
 impl Edges {
     /// What is known, and whether the live view has smooth edges then, after so many pixels of it differ from the reference as
-    /// it is drawn now; `None` if nothing is to be found any more.
-    pub fn after(self, differing: u64, reference: &Picture) -> Option<(Self, bool)> {
+    /// it is drawn now, of which it may be clear whether its own edges are smooth; `None` if nothing is to be found any more.
+    pub fn after(self, differing: u64, is_reference_smooth: Option<bool>) -> Option<(Self, bool)> {
         match self {
             Self::Unknown if differing > 0 => Some((Self::Hard(differing), true)),
             Self::Unknown => Some((Self::Found, false)),
             // Where the figure is elsewhere, its edges leave as much to differ either way, and the reference's own ones tell.
             Self::Hard(hard) => {
                 let are_alike = differing.abs_diff(hard) as f64 <= ALIKE * hard as f64;
-                let own = are_alike.then(|| has_smooth_edges(reference));
-                Some((Self::Found, own.flatten().unwrap_or(differing < hard)))
+                let own = is_reference_smooth.filter(|_| are_alike);
+                Some((Self::Found, own.unwrap_or(differing < hard)))
             }
             Self::Found | Self::Chosen => None,
         }

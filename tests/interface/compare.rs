@@ -46,6 +46,7 @@ impl Comparing {
             look: self.look,
             is_cut: false,
             are_edges_chosen: true,
+            is_reference_smooth: None,
             settings: &self.settings,
             reference: shown(&self.reference, TEXTURES[0]),
             live: Some(shown(&self.live, TEXTURES[1])),

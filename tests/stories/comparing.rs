@@ -394,23 +394,32 @@ fn a_character_that_is_moved_towards_the_eye_is_told_as_a_whole_though_some_of_i
 }
 
 #[test]
-fn smooth_edges_that_were_found_to_agree_are_no_reason_for_differences() {
-    const SMOOTH: &str =
-        "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
+fn edges_are_a_reason_for_differences_where_others_were_chosen_than_the_picture_has() {
+    const HARD: &str = "A has smooth edges, and B hard ones: tick Smooth edges.";
+    const SMOOTH: &str = "B has smooth edges";
+    let is_told = |story: &Story| [HARD, SMOOTH].map(|hint| has_text(story, hint));
     let mut story = Story::start(&["builtin:adult"]);
     show_in(&mut story, Look::Course);
     compare_with_itself(&mut story, (400, 300));
     judge(&mut story);
     story.type_into("Left shoulder Z", "40");
     judge(&mut story);
-    assert!(!has_text(&story, SMOOTH), "{:?}", texts(&story));
-    // Without them and with them again: now the user has chosen.
+    assert_eq!(is_told(&story), [false, false], "{:?}", texts(&story));
     choose_edges(&mut story, false);
     judge(&mut story);
-    assert!(!has_text(&story, SMOOTH), "{:?}", texts(&story));
+    assert_eq!(is_told(&story), [true, false], "{:?}", texts(&story));
+    let causes = upper_edge(&story, "The pictures differ here");
+    assert!(upper_edge(&story, HARD) < causes, "it comes first");
     choose_edges(&mut story, true);
     judge(&mut story);
-    assert!(has_text(&story, SMOOTH), "{:?}", texts(&story));
+    assert_eq!(is_told(&story), [false, false], "{:?}", texts(&story));
+    // The course's look keeps the edges that the picture has.
+    story.click("Studio look");
+    judge(&mut story);
+    story.click("Course look");
+    judge(&mut story);
+    assert_eq!(is_told(&story), [false, false], "{:?}", texts(&story));
+    assert!(has_text(&story, "Near Left shoulder"));
 }
 
 #[test]

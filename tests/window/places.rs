@@ -59,6 +59,7 @@ fn middle_in(
                 look: Look::Course,
                 is_cut: false,
                 are_edges_chosen: false,
+                is_reference_smooth: None,
                 settings: &settings,
                 reference: ShownPicture {
                     picture,

@@ -87,7 +87,8 @@ pub(super) fn findings(
         if is_slanted && look == Look::Mannequin && !report.measuring {
             return say(ui, page_figure::SLANTED, palette.strong);
         }
-        if let Some(hint) = first.filter(|_| !report.measuring) {
+        let first = first.into_iter().chain(hints::other_edges(compare));
+        for hint in first.filter(|_| !report.measuring) {
             say(ui, hint, palette.strong);
         }
         match &report.judgment {

@@ -10,6 +10,9 @@ const COVERED: &str = "If A shows the other program's panels, leave them out: Ma
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
+const HARD_HERE: &str = "A has smooth edges, and B hard ones: tick Smooth edges.";
+const SMOOTH_HERE: &str = "B has smooth edges, and A hard ones: untick Smooth edges.";
+
 const CAMERA: &str =
     "If A has the camera that the course's program starts with, Home gives it to B.";
 const CAMERA_TWICE: &str = "If A has the camera that the course's program starts with, Home, pressed twice, gives it to B.";
@@ -38,7 +41,8 @@ pub(super) fn hints(
 ) -> impl Iterator<Item = &'static str> {
     let settings = compare.settings;
     let look_is_course = look == Look::Course;
-    let is_smooth = settings.smooth_edges && compare.are_edges_chosen;
+    let may_be_hard = compare.is_reference_smooth.is_none();
+    let is_smooth = settings.smooth_edges && compare.are_edges_chosen && may_be_hard;
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     let other_look = other_look(look, compare.look).into_iter();
@@ -48,6 +52,16 @@ pub(super) fn hints(
     ];
     let others = others.into_iter();
     other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))
+}
+
+/// That the user has chosen other edges for the live view than the reference has, which differ all over the figure then.
+pub(super) fn other_edges(compare: &CompareView) -> Option<&'static str> {
+    match (compare.is_reference_smooth?, compare.settings.smooth_edges) {
+        _ if !compare.are_edges_chosen => None,
+        (true, false) => Some(HARD_HERE),
+        (false, true) => Some(SMOOTH_HERE),
+        _ => None,
+    }
 }
 
 /// The way back to the look that the comparison began with, if the live view has another one.

@@ -52,6 +52,8 @@ pub struct CompareView<'a> {
     pub is_cut: bool,
     /// Whether the user has chosen if the live view has smooth edges, and not the program by what agrees better.
     pub are_edges_chosen: bool,
+    /// Whether the reference has smooth edges, if that is clear.
+    pub is_reference_smooth: Option<bool>,
     /// What is chosen now.
     pub settings: &'a CompareSettings,
     /// A.

@@ -145,15 +145,24 @@ fn settings(
             .on_hover_text("Draw the live view with antialiasing; the course's program has none");
     });
     ui.horizontal_wrapped(|ui| {
-        let as_course = look == Look::Course && !changed.smooth_edges;
+        // Edges that are those of the picture stay.
+        let are_edges_right = compare.is_reference_smooth == Some(true);
+        let as_course = look == Look::Course && (!changed.smooth_edges || are_edges_right);
         let course = ui
             .add_enabled(!as_course, Button::new("Course look"))
-            .on_hover_text("Draw the live view as the course's program does: its light and background, hard edges")
+            .on_hover_text("Draw the live view as the course's program does: its light and background, and hard edges unless A has smooth ones")
             .on_disabled_hover_text("The live view is drawn as the course's program does");
         if course.clicked() {
-            changed.smooth_edges = false;
+            changed.smooth_edges &= are_edges_right;
             actions.push(Action::View(View::SetLook(Look::Course)));
             actions.push(Action::View(View::SetShading(Shading::AsAuthored)));
+        }
+        let studio = ui
+            .add_enabled(look != Look::Studio, Button::new("Studio look"))
+            .on_hover_text("Draw the live view as pictures of files that are not the course's: its light and ground")
+            .on_disabled_hover_text("The live view is drawn in the Studio look");
+        if studio.clicked() {
+            actions.push(Action::View(View::SetLook(Look::Studio)));
         }
         let mannequin = ui
             .add_enabled(look != Look::Mannequin, Button::new("Mannequin look"))
