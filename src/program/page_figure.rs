@@ -103,6 +103,7 @@ fn elsewhere(page: &FigureIn<'_>, ours: &FigureIn<'_>) -> Option<FigureElsewhere
     Some(FigureElsewhere {
         placement: placed.placement()?,
         is_floor_right: page.has_floor_of(ours, by, factor),
+        is_resized: factor != 1.0,
     })
 }
 

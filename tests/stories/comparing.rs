@@ -1486,3 +1486,38 @@ fn several_joints_that_are_turned_are_told_and_no_camera() {
         }
     }
 }
+
+#[test]
+fn a_shape_that_the_picture_has_and_the_live_view_has_not_is_told_as_missing_or_hidden() {
+    const ABSENT: &str = "A shows something where B has nothing, in about ";
+    let absent = |story: &Story| -> Vec<String> {
+        let told = texts(story).into_iter();
+        let mut told: Vec<String> = told.filter(|text| text.starts_with(ABSENT)).collect();
+        told.sort_unstable();
+        told.dedup();
+        told
+    };
+    for look in [Look::Course, Look::Studio] {
+        let mut story = adult_beside_shapes(look);
+        story.click("Hide Goblet");
+        judge(&mut story);
+        let told = absent(&story);
+        let is_told = matches!(&told[..], [one] if one.ends_with(": Goblet is hidden there."));
+        assert!(is_told, "{look:?} {:?}", texts(&story));
+        assert_eq!(places(&story), [""; 0], "{look:?} {:?}", texts(&story));
+        // Beside another one that is elsewhere, and without it.
+        story.click("[3] Gem (ID: 3)");
+        story.type_into("Position Y", "0.3");
+        story.click("[2] Goblet (ID: 2)");
+        story.key(Key::Delete);
+        judge(&mut story);
+        let told = absent(&story);
+        let missing = ": a shape is missing there, or hidden.";
+        assert!(
+            matches!(&told[..], [one] if one.ends_with(missing)),
+            "{look:?} {:?}",
+            texts(&story)
+        );
+        assert_eq!(places(&story), ["Gem"], "{look:?} {:?}", texts(&story));
+    }
+}

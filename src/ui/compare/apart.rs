@@ -3,12 +3,14 @@
 use super::clusters::clusters;
 use super::elsewhere::placement_of_all;
 use super::other_camera::other_camera;
-use super::parts::{How, Kind, of_shapes, parts};
-use super::place::{near, place, placed_elsewhere, seen_from_elsewhere, whole};
+use super::owned::Owned;
+use super::parts::{How, Kind, at, of_shapes, parts};
+use super::place::{absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
 use crate::scene::Camera;
+use glam::Vec2;
 
 /// A place in which pictures differ.
 #[derive(Clone, Debug)]
@@ -98,6 +100,11 @@ fn parts_or_all(
 
 /// All that is drawn, if it is where the other picture has it as another camera sees it.
 fn from_elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
+    let [ours, right] = [&off.ours, &off.right].map(|all| all.iter().map(at).collect::<Vec<_>>());
+    let view = Vec2::new(size.0 as f32, size.1 as f32);
+    if Owned::new(session, [&ours, &right], view).has_still_shape() {
+        return None;
+    }
     let camera = other_camera(session, off, size)?;
     Some(Place {
         told: seen_from_elsewhere(&camera),
@@ -115,6 +122,7 @@ fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> 
             Kind::Character(how) => (whole(name, &share, how.map(in_words)), None),
             Kind::Shape(how) => (near(name, &share, how.map(in_words)), None),
             Kind::Limb { instead } => (near(name, &share, None), instead),
+            Kind::Absent => (absent(name, &share), None),
         };
         Place {
             told,

@@ -44,11 +44,7 @@ const STRAY: f64 = 0.25;
 /// along its shadow, and the ground if it is the lowest one. All of them if nowhere so many lie together.
 pub(super) fn without_strays(pixels: &[(u32, u32)], apart: u32) -> Vec<(u32, u32)> {
     let cell = ALONG * apart.max(1);
-    let mut counts = BTreeMap::<Cell, usize>::new();
-    for &pixel in pixels {
-        *counts.entry(cell_of(pixel, cell)).or_default() += 1;
-    }
-    let filled = counts.into_iter().filter(|(_, count)| *count >= FILLED);
+    let filled = filled(pixels, cell);
     let clusters = clusters(filled, |([row, column], _)| (*column, *row), 1);
     let size = |cluster: &[(Cell, usize)]| cluster.iter().map(|(_, count)| count).sum::<usize>();
     let largest = clusters.iter().map(|cluster| size(cluster)).max();
@@ -60,6 +56,20 @@ pub(super) fn without_strays(pixels: &[(u32, u32)], apart: u32) -> Vec<(u32, u32
     let kept: HashSet<Cell> = kept.flat_map(|(at, _)| around(at)).collect();
     let is_kept = |pixel: &(u32, u32)| kept.contains(&cell_of(*pixel, cell));
     pixels.iter().copied().filter(is_kept).collect()
+}
+
+/// Whether pixels that are so far `apart` lie together in an area somewhere, and not only along lines.
+pub(super) fn fill_an_area(pixels: &[(u32, u32)], apart: u32) -> bool {
+    filled(pixels, ALONG * apart.max(1)).next().is_some()
+}
+
+/// The cells that pixels fill, with how many there are in each.
+fn filled(pixels: &[(u32, u32)], cell: u32) -> impl Iterator<Item = (Cell, usize)> {
+    let mut counts = BTreeMap::<Cell, usize>::new();
+    for &pixel in pixels {
+        *counts.entry(cell_of(pixel, cell)).or_default() += 1;
+    }
+    counts.into_iter().filter(|(_, count)| *count >= FILLED)
 }
 
 fn cell_of((x, y): (u32, u32), cell: u32) -> Cell {

@@ -3,6 +3,7 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
+mod absent;
 mod across;
 mod apart;
 mod bones_seen;
@@ -121,6 +122,8 @@ pub struct FigureElsewhere {
     pub placement: String,
     /// Whether the floor near the eye is the same in both, so that the camera is.
     pub is_floor_right: bool,
+    /// Whether it is in another size, as another camera shows it rather than another place of the figure.
+    pub is_resized: bool,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

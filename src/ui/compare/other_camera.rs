@@ -16,6 +16,10 @@ const SPARSER: f32 = 1.5;
 const FARTHEST: usize = 8;
 /// Mean distance that is told, in cells: of a small figure that was turned by 8 degrees it was 0.013.
 const LEAST: f32 = 0.01;
+/// How much more than of the live view itself may be left of the other picture where the right camera shows it, in parts, and in
+/// cells: at most 1.26 times as much was, and 12 times of a limb, a shape that was moved and one of another color.
+const LIKE_ITSELF: f32 = 1.25;
+const ROUNDING: f32 = 0.005;
 /// Another camera leaves at most one in so many of what differs without it. What limbs leave that are turned, no camera does.
 const LEFT_ONE_IN: f32 = 4.0;
 /// Directions that are tried first, in degrees to either side, and above and below.
@@ -62,8 +66,9 @@ pub(super) fn other_camera(session: &Session, off: &FigureOff, size: (u32, u32))
     let before = theirs.misfit(&still);
     let misfit = |camera: &Camera| theirs.misfit(&surface.covered(camera));
     let (after, there) = search(here, misfit);
+    let is_same = after <= LIKE_ITSELF * of_itself + ROUNDING;
     let [before, after] = [before, after].map(|all| (all - of_itself).max(0.0));
-    let is_found = before >= LEAST && after * LEFT_ONE_IN <= before;
+    let is_found = is_same && before >= LEAST && after * LEFT_ONE_IN <= before;
     let is_exact = of_itself.max(after) <= EXACT;
     is_found.then(|| in_words(&here, &there, is_exact))?
 }

@@ -119,6 +119,13 @@ impl<'a> Owned<'a> {
             || joints.values().any(|[moved, still]| still > moved)
     }
 
+    /// Whether all of some shape stands still, which none does that another camera shows.
+    pub fn has_still_shape(&self) -> bool {
+        let mut characters = self.strongest.keys().map(|(shape, _)| *shape);
+        self.others.keys().any(|shape| self.is_still(*shape))
+            || characters.any(|shape| self.off_of(shape, |_| true).is_some_and(|off| off <= STILL))
+    }
+
     /// Whether a shape without bones stands still.
     pub fn is_still(&self, shape: ShapeId) -> bool {
         self.off_of_other(shape).is_some_and(|off| off <= STILL)

@@ -87,10 +87,12 @@ impl FigureTold {
                 is_sure,
             };
         }
+        let elsewhere = figure.elsewhere.as_ref();
+        let is_only_moved = elsewhere.is_some_and(|elsewhere| !elsewhere.is_resized);
         let are_parts = places.iter().any(|place| place.is_part);
         Self {
             places,
-            is_elsewhere: is_sure && is_much && !are_parts,
+            is_elsewhere: is_much && !are_parts && (is_sure || !is_only_moved),
             is_sure,
         }
     }

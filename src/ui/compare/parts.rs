@@ -1,7 +1,8 @@
 //! Which parts of a scene differ: limbs, and shapes without bones.
 
+use super::absent::{Attributed, hidden_at, without_absent};
 use super::bones_seen::characters_seen;
-use super::clusters::without_strays;
+use super::clusters::{fill_an_area, without_strays};
 use super::limbs::{Body, Limb, limbs};
 use super::owned::Owned;
 use crate::compare::{Area, FigureOff};
@@ -12,6 +13,9 @@ use std::collections::HashSet;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
+/// Share of what the other picture shows up to which pixels of the live view that are off along lines are left over from something
+/// else: of lines of the ground behind a goblet it was 0.006.
+const STRAYS: f64 = 0.02;
 /// Percent of the figure from which on they are no parts of it any more: a camera that is elsewhere leaves less of it right.
 const FIGURE: f64 = 50.0;
 /// Share of what is off that is little beside other parts.
@@ -40,6 +44,8 @@ pub(super) enum Kind {
     Shape(Option<How>),
     /// A character, of which more than limbs differs, and how if it does not stand elsewhere.
     Character(Option<How>),
+    /// Something in the other picture where the live view has nothing; its name is that of a hidden shape, or empty.
+    Absent,
 }
 
 /// How a shape differs.
@@ -179,18 +185,37 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
             || trunks.any(|trunk| trunk.distance(*pixel) <= 1.0)
     };
     let explained = of_ours.iter().filter(is_explained).count() as f32;
-    if explained < EXPLAINED * ours.len() as f32 {
+    let shown = (theirs.len() + right.len()).max(1) as f64;
+    // Lines of the ground that are behind something in the other picture may be left over.
+    let pixels_of_ours: Vec<(u32, u32)> = off.ours.iter().map(|&[x, y]| (x, y)).collect();
+    let are_strays =
+        (ours.len() as f64) < STRAYS * shown && !fill_an_area(&pixels_of_ours, off.apart);
+    if explained < EXPLAINED * ours.len() as f32 && !are_strays {
         return Vec::new();
     }
     let of_theirs = theirs
         .iter()
         .map(|&pixel| (pixel, nearest(pixel, &|it| it.may_have_been_at(pixel))));
     let mut pixels = vec![[Vec::new(), Vec::new()]; seen.len()];
-    let of_ours = of_ours.into_iter().map(|of| (0, of));
-    let of_theirs = of_theirs.map(|of| (1, of));
-    for (picture, (pixel, nearest)) in of_ours.chain(of_theirs) {
+    let whole = |pixel: Vec2| (pixel.x as u32, pixel.y as u32);
+    for (pixel, nearest) in of_ours {
         if let Some((part, _)) = nearest {
-            pixels[part][picture].push((pixel.x as u32, pixel.y as u32));
+            pixels[part][0].push(whole(pixel));
+        }
+    }
+    let of_theirs = of_theirs.map(|(pixel, nearest)| Attributed {
+        pixel: whole(pixel),
+        part: nearest.map(|(part, _)| part),
+    });
+    let size_of_shape = |(seen, [ours, _]): (&Seen, &[Vec<_>; 2])| match seen {
+        Seen::Limb(_) => None,
+        Seen::Shape(_) => Some(ours.len()),
+    };
+    let sizes: Vec<Option<usize>> = seen.iter().zip(&pixels).map(size_of_shape).collect();
+    let (of_parts, absent) = without_absent(of_theirs, &sizes, off);
+    for Attributed { pixel, part } in of_parts {
+        if let Some(part) = part {
+            pixels[part][1].push(pixel);
         }
     }
     let count = |pixels: &[Vec<(u32, u32)>; 2]| pixels.iter().map(Vec::len).sum::<usize>() as f64;
@@ -209,7 +234,9 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         let (name, kind) = seen.told(&pixels, &limbs.owned);
         let shown = match kind {
             Kind::Limb { .. } => pixels,
-            Kind::Shape(_) | Kind::Character(_) => pixels.map(|of| without_strays(&of, off.apart)),
+            Kind::Shape(_) | Kind::Character(_) | Kind::Absent => {
+                pixels.map(|of| without_strays(&of, off.apart))
+            }
         };
         Some(Part {
             area: Area::around(shown.concat())?,
@@ -218,10 +245,25 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
             percent,
         })
     });
-    let parts: Vec<Part> = parts.collect();
+    let mut parts: Vec<Part> = parts.collect();
     let of_figure: f64 = parts.iter().map(|part| part.percent).sum();
-    if parts.len() > MOST || of_figure >= FIGURE && !is_camera_right {
+    if parts.len() + absent.len() > MOST || of_figure >= FIGURE && !is_camera_right {
         return Vec::new();
+    }
+    // Without anything that is where it should be, what is drawn may as well be seen by another camera.
+    if !right.is_empty() {
+        let named = |pixels: Vec<(u32, u32)>| {
+            let area = Area::around(without_strays(&pixels, off.apart))?;
+            Some(Part {
+                name: hidden_at(session, area, size)
+                    .unwrap_or_default()
+                    .to_owned(),
+                kind: Kind::Absent,
+                area,
+                percent: 100.0 * pixels.len() as f64 / shown,
+            })
+        };
+        parts.extend(absent.into_iter().filter_map(named));
     }
     parts
 }
@@ -249,7 +291,8 @@ fn recolored_alone(session: &Session, off: &FigureOff, owned: &Owned) -> Option<
     })
 }
 
-fn at(&[x, y]: &[u32; 2]) -> Vec2 {
+/// A pixel as a point.
+pub(super) fn at(&[x, y]: &[u32; 2]) -> Vec2 {
     Vec2::new(x as f32, y as f32)
 }
 

@@ -41,6 +41,16 @@ pub(super) fn whole(character: &str, part: &str, how: Option<&str>) -> String {
     ))
 }
 
+/// Sentence about something in the other picture, such a `part` of the figure in words, where the live view has nothing, or hides
+/// a shape of this name.
+pub(super) fn absent(hidden: &str, part: &str) -> String {
+    let reason = match hidden {
+        "" => "a shape is missing there, or hidden".to_owned(),
+        hidden => format!("{hidden} is hidden there"),
+    };
+    format!("A shows something where B has nothing, in {part} of the figure: {reason}.")
+}
+
 /// Sentence about all that is drawn, whose outline is so placed in the live view, in words, `within` so many pixels.
 pub(super) fn placed_elsewhere(placement: &str, within: u32, is_camera_right: bool) -> String {
     let within = match within {
