@@ -305,7 +305,7 @@ fn parts(args: &Args, files: &dyn Files, a: &Mesh) -> Result<Option<MeshParts>, 
             if let Some(same) = hardly_any_triangles(&character, a) {
                 let a = as_given(&args.a);
                 let expected = format!(
-                    "expected the model of {a}, found another one, with as many vertices but only {same} of the same triangles"
+                    "expected the model of {a}, found another one, or its vertices in another order: only {same} of the triangles are the same"
                 );
                 return Err(Diagnostic::new(model, expected).into());
             }

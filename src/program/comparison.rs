@@ -380,7 +380,7 @@ impl Comparison {
                 judgment,
                 page_figure,
             }) => {
-                self.report.page_figure = page_figure;
+                self.report.page_figure = page_figure.map(|figure| *figure);
                 self.measuring.judged = Some(result.of);
                 self.report.judgment = Some(judgment);
                 self.report.measuring = !is_newest;

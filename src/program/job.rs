@@ -127,7 +127,7 @@ pub(super) enum Outcome {
     Judged {
         judgment: Judgment,
         /// See [`CompareReport`](crate::ui::CompareReport).
-        page_figure: Option<PageFigure>,
+        page_figure: Option<Box<PageFigure>>,
     },
 }
 
@@ -237,9 +237,14 @@ impl CompareWork {
                 let is_page = self.is_page;
                 let judged = self.pictures.judge();
                 judged.map(move |judgment| {
-                    compared(judgment.map(|judgment| Outcome::Judged {
-                        judgment,
-                        page_figure: is_page.then(|| compare_figures(&a, &b)).flatten(),
+                    compared(judgment.map(|judgment| {
+                        Outcome::Judged {
+                            judgment,
+                            page_figure: is_page
+                                .then(|| compare_figures(&a, &b))
+                                .flatten()
+                                .map(Box::new),
+                        }
                     }))
                 })
             }

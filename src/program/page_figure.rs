@@ -23,6 +23,15 @@ const HALF_A_LINE: usize = 3;
 const NEAR: usize = 4;
 /// How far the brightness of squares of the floor is apart.
 const SQUARES: u8 = 64;
+/// Fewest pixels of either color of the floor's squares that tell where it is.
+const FEWEST_OF_EITHER: usize = 500;
+/// Share of it that differs where the camera is turned: by the page's noise 0.017 does, and by 3 degrees, of which the figure
+/// itself hardly shows anything, 0.037.
+const FLOOR_OFF: f64 = 0.03;
+/// Share of it that differs at most where it is in its place, …
+const STILL: f64 = 0.05;
+/// … and how many times as much does where it is not.
+const CLEARLY: f64 = 1.3;
 /// How far a floor moves that another camera shows elsewhere, by how far the figure does.
 const MOVED_WITH_IT: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 
@@ -87,6 +96,9 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     Some(PageFigure {
         area: page.grid.area_around(figure)?,
         is_slanted: page.is_slanted(),
+        is_floor_off: page
+            .floor_off(&ours, STANDING)
+            .is_some_and(|off| off > FLOOR_OFF),
         elsewhere: off.as_ref().and_then(|_| elsewhere(&page, &ours)),
         off,
     })
@@ -96,15 +108,56 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
 fn elsewhere(page: &FigureIn<'_>, ours: &FigureIn<'_>) -> Option<FigureElsewhere> {
     let outlines = [page.outline(), ours.outline()];
     let placed = whole_outline_placed(page.grid.width, outlines.each_ref().map(Vec::as_slice))?;
-    let Finding::Placed { dx, dy, factor, .. } = placed else {
+    let Finding::Placed {
+        dx,
+        dy,
+        factor,
+        degrees,
+        ..
+    } = placed
+    else {
         return None;
     };
-    let by = DVec2::new(dx.into(), dy.into());
+    let movement = Movement {
+        center: page.middle_of(&outlines[0]),
+        by: DVec2::new(dx.into(), dy.into()),
+        factor,
+    };
     Some(FigureElsewhere {
         placement: placed.placement()?,
-        is_floor_right: page.has_floor_of(ours, by, factor),
-        is_resized: factor != 1.0,
+        is_floor_right: page.has_floor_of(ours, movement),
+        is_only_moved: factor == 1.0 && degrees == 0.0,
     })
+}
+
+/// How a figure that has its middle at `center` is moved and resized, in pixels.
+#[derive(Clone, Copy, Debug)]
+struct Movement {
+    center: DVec2,
+    by: DVec2,
+    factor: f64,
+}
+
+/// No movement.
+const STANDING: Movement = Movement {
+    center: DVec2::ZERO,
+    by: DVec2::ZERO,
+    factor: 1.0,
+};
+
+impl Movement {
+    /// This share of the movement.
+    fn part(self, share: f64) -> Self {
+        Self {
+            by: share * self.by,
+            factor: 1.0 + share * (self.factor - 1.0),
+            ..self
+        }
+    }
+
+    fn moved(self, at: DVec2) -> DVec2 {
+        self.center + self.by + self.factor * (at - self.center)
+    }
 }
 
 /// A picture with a figure in it.
@@ -167,36 +220,54 @@ impl FigureIn<'_> {
         widths.fold(wide, |mask, _| self.grid.shrunk(&mask))
     }
 
-    /// Whether the floor is where `other` has it rather than where a camera would have it that sees the figure moved by so
-    /// many pixels and so many times as large: there nearer parts move farther.
-    fn has_floor_of(&self, other: &Self, by: DVec2, factor: f64) -> bool {
-        let off = |share: f64| self.floor_off(other, share * by, 1.0 + share * (factor - 1.0));
-        let still = off(0.0);
-        MOVED_WITH_IT.into_iter().all(|share| still < off(share))
+    /// The middle of the pixels of a mask.
+    fn middle_of(&self, mask: &[bool]) -> DVec2 {
+        let width = self.grid.width;
+        let pixels = (0..mask.len()).filter(|at| mask[*at]);
+        let (sum, count) = pixels.fold((DVec2::ZERO, 0.0), |(sum, count), at| {
+            let pixel = DVec2::new((at % width) as f64, (at / width) as f64);
+            (sum + pixel, count + 1.0)
+        });
+        sum / f64::max(count, 1.0)
     }
 
-    /// The share of the floor near the eye that differs where `other` has it, so many pixels farther and so many times as
-    /// large.
-    fn floor_off(&self, other: &Self, by: DVec2, factor: f64) -> f64 {
+    /// Whether the floor is where `other` has it, and clearly not where a camera would have it that sees the figure moved so:
+    /// there nearer parts move farther.
+    fn has_floor_of(&self, other: &Self, movement: Movement) -> bool {
+        let off = |share: f64| self.floor_off(other, movement.part(share));
+        let Some(still) = off(0.0).filter(|still| *still <= STILL) else {
+            return false;
+        };
+        let mut moved = MOVED_WITH_IT.into_iter().map(off);
+        moved.all(|moved| moved.is_none_or(|moved| moved >= CLEARLY * still))
+    }
+
+    /// The share of the floor near the eye that differs from where `other` has it after a movement; `None` if too little of it is
+    /// seen, or not both of its colors.
+    fn floor_off(&self, other: &Self, movement: Movement) -> Option<f64> {
         let PixelGrid { width, height } = self.grid;
         let size = DVec2::new(width as f64, height as f64);
-        let (mut seen, mut off) = (0, 0);
+        let (mut bright, mut dark, mut off) = (0, 0, 0);
         for y in height - height / NEAR..height {
             for x in 0..width {
-                let from_middle = DVec2::new(x as f64, y as f64) - 0.5 * size;
-                let there = (factor * from_middle + 0.5 * size + by).round();
+                let there = movement.moved(DVec2::new(x as f64, y as f64)).round();
                 if there.cmplt(DVec2::ZERO).any() || there.cmpge(size).any() {
                     continue;
                 }
-                let theirs = other.pixels[there.y as usize * width + there.x as usize];
-                let ours = self.pixels[y * width + x];
-                if [ours, theirs].map(Part::of) == [Part::Behind; 2] {
-                    seen += 1;
-                    off += usize::from(ours[0].abs_diff(theirs[0]) > SQUARES);
+                let of_other = other.pixels[there.y as usize * width + there.x as usize];
+                let own = self.pixels[y * width + x];
+                if [own, of_other].map(Part::of) == [Part::Behind; 2] {
+                    if own[0] > SQUARES {
+                        bright += 1;
+                    } else {
+                        dark += 1;
+                    }
+                    off += usize::from(own[0].abs_diff(of_other[0]) > SQUARES);
                 }
             }
         }
-        off as f64 / f64::from(seen.max(1))
+        let is_enough = bright.min(dark) >= FEWEST_OF_EITHER;
+        is_enough.then(|| off as f64 / (bright + dark) as f64)
     }
 
     /// Places of the figure where `other` has another color or none, and not at an edge alone, by which hang together.

@@ -21,6 +21,7 @@ pub struct Comparing {
     live: Picture,
     report: CompareReport,
     look: Look,
+    is_reference_smooth: Option<bool>,
 }
 
 impl Comparing {
@@ -36,6 +37,7 @@ impl Comparing {
             live: filled([90, 80, 70, 128]),
             report: CompareReport::default(),
             look: Look::Course,
+            is_reference_smooth: None,
         }
     }
 
@@ -46,7 +48,7 @@ impl Comparing {
             look: self.look,
             is_cut: false,
             are_edges_chosen: true,
-            is_reference_smooth: None,
+            is_reference_smooth: self.is_reference_smooth,
             settings: &self.settings,
             reference: shown(&self.reference, TEXTURES[0]),
             live: Some(shown(&self.live, TEXTURES[1])),
@@ -298,6 +300,20 @@ fn hints_name_what_a_user_can_do_about_the_differences() {
     assert_eq!(hints(&editor), [false, true, false]);
     editor.view(View::SetLook(Look::Studio));
     assert_eq!(hints(&editor), [true, false, false]);
+    // Where the picture's own edges are known, those that were chosen are told by them.
+    let has_own_edges = |editor: &mut Editor, own: Option<bool>| {
+        let comparing = &mut editor.harness.state_mut().comparing;
+        comparing
+            .as_mut()
+            .expect("a comparison")
+            .is_reference_smooth = own;
+        editor.settle();
+    };
+    let chosen = "B has smooth edges, and A hard ones: untick Smooth edges.";
+    for (own, is_told) in [(Some(false), true), (Some(true), false), (None, false)] {
+        has_own_edges(&mut editor, own);
+        assert_eq!(editor.has(chosen), is_told, "{own:?}");
+    }
     for (look, is_told) in [(Look::Studio, false), (Look::Course, true)] {
         let comparing = &mut editor.harness.state_mut().comparing;
         comparing.as_mut().expect("a comparison").look = look;

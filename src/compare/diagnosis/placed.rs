@@ -51,7 +51,7 @@ pub(super) async fn placed(evidence: &Evidence<'_>) -> Option<Finding> {
     is_told.then(|| outlines.finding(place, unexplained))?
 }
 
-/// The same of a figure that is all that is drawn, so that no part of it stands still. What of it differs even so, as where
+/// A's outline found again in B where it is that of a figure that is all that is drawn, so that no part of it stands still. What of it differs even so, as where
 /// it is seen from another side then, may be more.
 pub(super) async fn whole_placed(evidence: &Evidence<'_>) -> Option<Finding> {
     let outlines = Outlines::new(evidence).await?;
@@ -65,10 +65,11 @@ pub(super) async fn whole_placed(evidence: &Evidence<'_>) -> Option<Finding> {
     let before = outlines.misfit(outlines.still()).await;
     let after = outlines.misfit(place).await;
     let is_told = after.share() <= SAME_WHOLE && after.explains_most_of(before);
-    let unexplained = Some(after.share()).filter(|share| *share > SAME);
-    (is_told && outlines.are_in_view(after))
-        .then(|| outlines.finding(place, unexplained.unwrap_or(0.0)))?
+    let share = after.share();
+    let unexplained = if share <= SAME { 0.0 } else { share };
+    (is_told && outlines.are_in_view(after)).then(|| outlines.finding(place, unexplained))?
 }
+
 /// Where B has what A has around a center of its own.
 #[derive(Clone, Copy, Debug)]
 struct Place {

@@ -22,8 +22,8 @@ pub(super) struct Attributed {
     pub part: Option<usize>,
 }
 
-/// The pixels without groups of them that can be none of the parts, and these groups. Of parts that are shapes it is known how
-/// many pixels of the live view are off. Where figures are not told from what is behind them, nothing is absent.
+/// The pixels without groups of them that can be none of the parts, and these groups. `sizes` has for each part how many pixels of
+/// the live view are off, or `None` for a limb, of which the other picture may show much more. Where figures are not told from what is behind them, nothing is absent.
 pub(super) fn without_absent(
     theirs: impl Iterator<Item = Attributed>,
     sizes: &[Option<usize>],
@@ -34,7 +34,7 @@ pub(super) fn without_absent(
     }
     let least = LEAST * (off.theirs.len() + off.right.len()) as f64;
     let mut groups = clusters(theirs, |it| it.pixel, CLUSTER * off.apart.max(1));
-    // A shape is rather what is as large as it.
+    // Small groups first: they fill up what a shape can account for, and larger ones are left.
     groups.sort_by_key(Vec::len);
     let mut counts = vec![0; sizes.len()];
     let (mut of_parts, mut absent) = (Vec::new(), Vec::new());

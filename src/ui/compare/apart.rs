@@ -4,7 +4,7 @@ use super::clusters::clusters;
 use super::elsewhere::placement_of_all;
 use super::other_camera::other_camera;
 use super::owned::Owned;
-use super::parts::{How, Kind, at, of_shapes, parts};
+use super::parts::{How, Kind, Part, at, of_shapes, parts};
 use super::place::{absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
@@ -29,6 +29,8 @@ pub(super) struct Place {
 pub(in crate::ui) struct KeptPlaces {
     of: Option<KeptOf>,
     places: Vec<Place>,
+    /// Whether none are to be found, as while what differs is measured anew.
+    rests: bool,
 }
 
 /// What places follow from: the document, its view of so many pixels, and what differs there, of which a new one has other
@@ -36,6 +38,11 @@ pub(in crate::ui) struct KeptPlaces {
 type KeptOf = (Revision, Camera, (u32, u32), Area, [usize; 3]);
 
 impl KeptPlaces {
+    /// Finds no new places if it `rests`, as in the midst of a drag.
+    pub(super) fn rest(&mut self, rests: bool) {
+        self.rests = rests;
+    }
+
     /// The places that `find` finds from what is off in a live view of `size` pixels.
     fn get(
         &mut self,
@@ -44,6 +51,9 @@ impl KeptPlaces {
         size: (u32, u32),
         find: impl FnOnce() -> Vec<Place>,
     ) -> Vec<Place> {
+        if self.rests {
+            return self.places.clone();
+        }
         let counts = [&off.ours, &off.theirs, &off.right].map(Vec::len);
         let camera = session.view().camera;
         let of = (session.document(), camera, size, off.area, counts);
@@ -88,14 +98,16 @@ fn parts_or_all(
     size: (u32, u32),
     elsewhere: impl FnOnce() -> Option<Place>,
 ) -> Vec<Place> {
-    let parts = of_parts(session, off, size);
+    let parts = parts(session, off, size);
+    let are_absent = parts.iter().all(|part| part.kind == Kind::Absent);
     let all = match parts.len() {
-        0 => elsewhere().or_else(|| from_elsewhere(session, off, size)),
+        // Round a shape that is only larger in the other picture nothing is in the live view, either.
+        _ if are_absent => elsewhere().or_else(|| from_elsewhere(session, off, size)),
         1 => None,
         // What several parts would explain may be one camera.
         _ => from_elsewhere(session, off, size),
     };
-    all.map_or(parts, |all| vec![all])
+    all.map_or_else(|| places_of(parts), |all| vec![all])
 }
 
 /// All that is drawn, if it is where the other picture has it as another camera sees it.
@@ -114,9 +126,8 @@ fn from_elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Optio
     })
 }
 
-fn of_parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Place> {
-    let parts = parts(session, off, size).into_iter();
-    let places = parts.map(|part| {
+fn places_of(parts: Vec<Part>) -> Vec<Place> {
+    let places = parts.into_iter().map(|part| {
         let (name, share) = (&part.name, about(part.percent));
         let (told, instead) = match part.kind {
             Kind::Character(how) => (whole(name, &share, how.map(in_words)), None),

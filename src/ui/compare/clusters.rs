@@ -58,6 +58,21 @@ pub(super) fn without_strays(pixels: &[(u32, u32)], apart: u32) -> Vec<(u32, u32
     pixels.iter().copied().filter(is_kept).collect()
 }
 
+/// Those of the pixels that are so far `apart` which lie together in an area, or beside one, and not along lines.
+pub(super) fn in_areas(pixels: impl Iterator<Item = [u32; 2]>, apart: u32) -> Vec<[u32; 2]> {
+    let pixels: Vec<(u32, u32)> = pixels.map(<(u32, u32)>::from).collect();
+    let cell = ALONG * apart.max(1);
+    let kept: HashSet<Cell> = filled(&pixels, cell)
+        .flat_map(|(at, _)| around(at))
+        .collect();
+    let is_kept = |pixel: &(u32, u32)| kept.contains(&cell_of(*pixel, cell));
+    pixels
+        .into_iter()
+        .filter(is_kept)
+        .map(<[u32; 2]>::from)
+        .collect()
+}
+
 /// Whether pixels that are so far `apart` lie together in an area somewhere, and not only along lines.
 pub(super) fn fill_an_area(pixels: &[(u32, u32)], apart: u32) -> bool {
     filled(pixels, ALONG * apart.max(1)).next().is_some()

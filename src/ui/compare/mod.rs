@@ -7,6 +7,7 @@ mod absent;
 mod across;
 mod apart;
 mod bones_seen;
+mod cells;
 mod clusters;
 mod elsewhere;
 mod findings;
@@ -26,6 +27,7 @@ mod parts;
 mod pictures;
 mod place;
 mod settings;
+mod surface;
 mod turned;
 
 pub(super) use apart::KeptPlaces;
@@ -109,6 +111,8 @@ pub struct PageFigure {
     pub area: Area,
     /// Whether the camera of the screenshot was rolled, so that no view from a level one matches it.
     pub is_slanted: bool,
+    /// Whether the floor near the eye differs by more than the page's noise.
+    pub is_floor_off: bool,
     /// What differs of it; `None` if the figures agree.
     pub off: Option<FigureOff>,
     /// Where all of it is in the live view, if it is elsewhere.
@@ -122,8 +126,8 @@ pub struct FigureElsewhere {
     pub placement: String,
     /// Whether the floor near the eye is the same in both, so that the camera is.
     pub is_floor_right: bool,
-    /// Whether it is in another size, as another camera shows it rather than another place of the figure.
-    pub is_resized: bool,
+    /// Whether it is neither turned nor in another size, as another camera would rather show it.
+    pub is_only_moved: bool,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

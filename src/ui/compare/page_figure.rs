@@ -18,6 +18,10 @@ const ALWAYS: [&str; 2] = [
     "If A is the Virtual Mannequin's page, the noise in its floor and its longer lines for the last bones always differ.",
 ];
 
+/// What to do where the figure hardly shows that the camera is turned.
+const FLOOR: &str = "The floor differs by more than the page's noise: B's camera may be turned a little. Home leads to where the page's \
+                     starts.";
+
 /// What to do where nothing is in its place.
 const ELSEWHERE: [&str; 2] = [
     "A is the Virtual Mannequin's page. If all of the figure differs, turn B's camera to where the page's was: Home leads to \
@@ -42,6 +46,8 @@ pub(super) struct FigureTold {
     pub is_elsewhere: bool,
     /// Whether it is sure that the other picture is of the page.
     is_sure: bool,
+    /// Whether the figure agrees, and the floor does not.
+    is_floor_alone: bool,
 }
 
 impl FigureTold {
@@ -57,6 +63,7 @@ impl FigureTold {
                 places: Vec::new(),
                 is_elsewhere: false,
                 is_sure,
+                is_floor_alone: figure.is_floor_off,
             };
         };
         let area = off.area;
@@ -85,20 +92,25 @@ impl FigureTold {
                 }],
                 is_elsewhere: is_much,
                 is_sure,
+                is_floor_alone: false,
             };
         }
         let elsewhere = figure.elsewhere.as_ref();
-        let is_only_moved = elsewhere.is_some_and(|elsewhere| !elsewhere.is_resized);
+        let is_only_moved = elsewhere.is_some_and(|elsewhere| elsewhere.is_only_moved);
         let are_parts = places.iter().any(|place| place.is_part);
         Self {
             places,
             is_elsewhere: is_much && !are_parts && (is_sure || !is_only_moved),
             is_sure,
+            is_floor_alone: false,
         }
     }
 
     /// What to do, or to know.
     pub(super) fn hint(&self) -> &'static str {
+        if self.is_sure && self.is_floor_alone {
+            return FLOOR;
+        }
         let hints = if self.is_elsewhere { ELSEWHERE } else { ALWAYS };
         hints[usize::from(!self.is_sure)]
     }

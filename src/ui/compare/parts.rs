@@ -234,9 +234,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
         let (name, kind) = seen.told(&pixels, &limbs.owned);
         let shown = match kind {
             Kind::Limb { .. } => pixels,
-            Kind::Shape(_) | Kind::Character(_) | Kind::Absent => {
-                pixels.map(|of| without_strays(&of, off.apart))
-            }
+            _ => pixels.map(|of| without_strays(&of, off.apart)),
         };
         Some(Part {
             area: Area::around(shown.concat())?,
