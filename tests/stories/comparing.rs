@@ -1452,6 +1452,26 @@ fn a_camera_that_is_turned_is_told_and_no_joint_is_blamed() {
 }
 
 #[test]
+fn no_joint_is_blamed_for_much_of_a_figure_where_a_shape_is_hidden_as_well() {
+    let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
+    show_in(&mut story, Look::Studio);
+    keep_picture(&mut story, (800, 600));
+    let here = story.session().view().camera;
+    let turned = Camera {
+        theta: here.theta + 0.16,
+        phi: here.phi + 0.08,
+        ..here
+    };
+    let seen = vec![Action::View(View::SetCamera(turned))];
+    story.program.carry_out(seen, &mut story.host);
+    story.click("Hide Goblet");
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
+}
+
+#[test]
 fn how_far_a_camera_is_turned_is_told_where_outlines_tell_it_well() {
     for look in [Look::Course, Look::Studio] {
         let Some(mut story) = course_character_beside_shape(look) else {

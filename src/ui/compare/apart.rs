@@ -5,7 +5,7 @@ use super::elsewhere::placement_of_all;
 use super::other_camera::other_camera;
 use super::owned::Owned;
 use super::parts::{How, Kind, Part, at, of_shapes, parts};
-use super::place::{absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
+use super::place::{MUCH, absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
@@ -171,8 +171,8 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
         return Vec::new();
     }
     let places = apart.into_iter().map(|(area, is_ours)| {
-        // Bones are where the live view has them.
-        let told = match is_ours {
+        // Bones are where the live view has them, and none is to blame for much of a figure.
+        let told = match is_ours && area.share_of(figure) < MUCH {
             true => place(session, area, figure, size),
             false => sentence(&area.place_in(figure)),
         };

@@ -1,7 +1,7 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
 use super::apart::{KeptPlaces, Place};
-use super::place::{place, placed_elsewhere};
+use super::place::{MUCH, place, placed_elsewhere};
 use super::{CompareView, PageFigure};
 use crate::compare::sentence;
 use crate::editor::Session;
@@ -33,10 +33,6 @@ const ELSEWHERE: [&str; 2] = [
 /// Why a screenshot cannot be compared.
 pub(super) const SLANTED: &str = "The horizon of A is slanted, for the page's camera rolls when it is dragged. B's keeps level, so that \
                                   no view of it can match: compare a screenshot that is taken before the page's camera is turned.";
-
-/// Share of the box round a figure that differs, where no limbs explain it, from which on the camera may be what is turned:
-/// a drag over a tenth of the window made it 64 %, and a hand that is too small for a limb less than 1 %.
-const MUCH: f64 = 0.25;
 
 /// What is said of a figure.
 pub(super) struct FigureTold {

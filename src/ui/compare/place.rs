@@ -9,6 +9,10 @@ use glam::Vec2;
 /// How far outside an area a bone may be, by the picture's height: limbs are so thick.
 const NEAR: f32 = 0.04;
 
+/// Share of the box round a figure that differs, where no limbs explain it, from which on the camera may be what is turned:
+/// a drag over a tenth of the window made it 64 %, and a hand that is too small for a limb less than 1 %.
+pub(super) const MUCH: f64 = 0.25;
+
 /// Sentence about where `area` of the live view is, which is a picture of `size` pixels, in words: by the joint that
 /// turns the bone nearest to its middle, or else by where it lies in `figure`, the area round all
 /// that is drawn.
