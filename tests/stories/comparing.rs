@@ -1453,9 +1453,9 @@ fn a_camera_that_is_turned_is_told_and_no_joint_is_blamed() {
 
 #[test]
 fn no_joint_is_blamed_for_much_of_a_figure_where_a_shape_is_hidden_as_well() {
-    let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
-    show_in(&mut story, Look::Studio);
-    keep_picture(&mut story, (800, 600));
+    let mut story = Story::start(&["builtin:adult", "builtin:adult", "builtin:gem"]);
+    show_in(&mut story, Look::Course);
+    keep_picture(&mut story, (1000, 700));
     let here = story.session().view().camera;
     let turned = Camera {
         theta: here.theta + 0.16,
@@ -1464,7 +1464,7 @@ fn no_joint_is_blamed_for_much_of_a_figure_where_a_shape_is_hidden_as_well() {
     };
     let seen = vec![Action::View(View::SetCamera(turned))];
     story.program.carry_out(seen, &mut story.host);
-    story.click("Hide Goblet");
+    story.click("Hide Gem");
     story.key(Key::F8);
     story.choose("mine.png");
     judge(&mut story);
