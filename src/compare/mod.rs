@@ -18,6 +18,7 @@ mod other_background;
 mod outlines;
 mod pair;
 mod picture_comparison;
+mod pixel_grid;
 mod place;
 mod rules;
 mod smooth_edges;
@@ -30,16 +31,17 @@ pub use area::Area;
 pub use diagnosis::{Finding, HighlightChange, Which};
 pub(crate) use differences::difference;
 pub use differences::{Differences, side_by_side};
-pub use figure_off::{FigureOff, PixelGrid};
+pub use figure_off::FigureOff;
 pub use flip::{Flip, PIXELS_PER_DEGREE};
 pub use mesh::{
     MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, SignedAxis,
     WorstVertex, compare_meshes, permutation,
 };
 pub(crate) use mesh::{nearest_rotation, placement};
-pub use outlines::{outline_placement, whole_outline_placed};
+pub use outlines::{WholePlaced, outline_placement, whole_outline_placed};
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
+pub use pixel_grid::PixelGrid;
 pub use place::about;
 pub use rules::sentence;
 pub use smooth_edges::has_smooth_edges;

@@ -1,4 +1,4 @@
-use super::{Area, CompareError};
+use super::{Area, CompareError, PixelGrid};
 use crate::geometry::{GroundColors, Picture};
 use crate::steps::{Pace, at_once};
 use std::borrow::Cow;
@@ -134,13 +134,17 @@ impl<'a> Pair<'a> {
         self.hides_colors
     }
 
+    /// The places of its pixels.
+    pub(super) fn grid(&self) -> PixelGrid {
+        PixelGrid {
+            width: self.width as usize,
+            height: self.height as usize,
+        }
+    }
+
     /// The indices of the pixels around one, itself among them.
     pub(super) fn around(&self, index: usize) -> impl Iterator<Item = usize> + use<> {
-        let (width, height) = (self.width as usize, self.height as usize);
-        let (x, y) = (index % width, index / width);
-        let columns = x.saturating_sub(1)..(x + 2).min(width);
-        (y.saturating_sub(1)..(y + 2).min(height))
-            .flat_map(move |row| columns.clone().map(move |column| row * width + column))
+        self.grid().around(index)
     }
 
     /// The indices of the kept pixels along the border.

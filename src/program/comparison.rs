@@ -2,6 +2,7 @@ use super::Host;
 use super::edges::Edges;
 use super::files::file_name;
 use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
+use super::textured::Textured;
 use crate::compare::{
     Area, CompareError, Measured, Pair, PictureJob, has_smooth_edges, side_by_side,
 };
@@ -9,8 +10,8 @@ use crate::geometry::{GroundColors, Picture};
 use crate::render::Backdrop;
 use crate::revision::Revision;
 use crate::scene::{Camera, Look, Skinning, ViewSettings};
-use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
-use egui::{Context, TextureHandle};
+use crate::ui::{self, CompareReport, CompareSettings, CompareView};
+use egui::Context;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -81,34 +82,6 @@ struct Running {
     of: Revision,
     half: Half,
     job: JobHandle,
-}
-
-/// A picture with the texture that shows it, made when it is first shown.
-struct Textured {
-    picture: Arc<Picture>,
-    texture: Option<TextureHandle>,
-}
-
-impl Textured {
-    fn new(picture: Picture) -> Self {
-        Self {
-            picture: Arc::new(picture),
-            texture: None,
-        }
-    }
-
-    fn load(&mut self, context: &Context, name: &str) {
-        let picture = &self.picture;
-        self.texture
-            .get_or_insert_with(|| ui::picture_texture(context, name, picture));
-    }
-
-    fn shown(&self) -> Option<ShownPicture<'_>> {
-        Some(ShownPicture {
-            picture: &self.picture,
-            texture: self.texture.as_ref()?.id(),
-        })
-    }
 }
 
 impl Comparison {
@@ -380,7 +353,7 @@ impl Comparison {
                 judgment,
                 page_figure,
             }) => {
-                self.report.page_figure = page_figure.map(|figure| *figure);
+                self.report.page_figure = page_figure;
                 self.measuring.judged = Some(result.of);
                 self.report.judgment = Some(judgment);
                 self.report.measuring = !is_newest;

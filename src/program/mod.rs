@@ -55,6 +55,7 @@ mod several_poses;
 mod sources;
 mod split_view;
 mod start_pictures;
+mod textured;
 mod view_before;
 mod window_picture;
 

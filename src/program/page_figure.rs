@@ -1,7 +1,7 @@
 //! Where the figure in a screenshot of the Virtual Mannequin's page is not the one in our picture, whatever differs behind and
 //! before it: the page has noise in its floor, and other lines for bones.
 
-use crate::compare::{FigureOff, Finding, PixelGrid, whole_outline_placed};
+use crate::compare::{FigureOff, PixelGrid, WholePlaced, whole_outline_placed};
 use crate::geometry::Picture;
 use crate::ui::{FigureElsewhere, PageFigure};
 use glam::DVec2;
@@ -108,25 +108,10 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
 fn elsewhere(page: &FigureIn<'_>, ours: &FigureIn<'_>) -> Option<FigureElsewhere> {
     let outlines = [page.outline(), ours.outline()];
     let placed = whole_outline_placed(page.grid.width, outlines.each_ref().map(Vec::as_slice))?;
-    let Finding::Placed {
-        dx,
-        dy,
-        factor,
-        degrees,
-        ..
-    } = placed
-    else {
-        return None;
-    };
-    let movement = Movement {
-        center: page.middle_of(&outlines[0]),
-        by: DVec2::new(dx.into(), dy.into()),
-        factor,
-    };
     Some(FigureElsewhere {
-        placement: placed.placement()?,
-        is_floor_right: page.has_floor_of(ours, movement),
-        is_only_moved: factor == 1.0 && degrees == 0.0,
+        is_floor_right: page.has_floor_of(ours, Movement::from(&placed)),
+        is_only_moved: placed.factor == 1.0 && placed.degrees == 0.0,
+        placement: placed.words,
     })
 }
 
@@ -144,6 +129,16 @@ const STANDING: Movement = Movement {
     by: DVec2::ZERO,
     factor: 1.0,
 };
+
+impl From<&WholePlaced> for Movement {
+    fn from(placed: &WholePlaced) -> Self {
+        Self {
+            center: placed.middle,
+            by: placed.by,
+            factor: placed.factor,
+        }
+    }
+}
 
 impl Movement {
     /// This share of the movement.
@@ -218,17 +213,6 @@ impl FigureIn<'_> {
             .clone()
             .fold(without_lines, |mask, _| self.grid.grown(&mask));
         widths.fold(wide, |mask, _| self.grid.shrunk(&mask))
-    }
-
-    /// The middle of the pixels of a mask.
-    fn middle_of(&self, mask: &[bool]) -> DVec2 {
-        let width = self.grid.width;
-        let pixels = (0..mask.len()).filter(|at| mask[*at]);
-        let (sum, count) = pixels.fold((DVec2::ZERO, 0.0), |(sum, count), at| {
-            let pixel = DVec2::new((at % width) as f64, (at / width) as f64);
-            (sum + pixel, count + 1.0)
-        });
-        sum / f64::max(count, 1.0)
     }
 
     /// Whether the floor is where `other` has it, and clearly not where a camera would have it that sees the figure moved so:

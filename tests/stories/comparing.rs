@@ -1574,3 +1574,33 @@ fn a_camera_of_the_page_that_is_turned_by_less_than_its_figure_shows_is_told_by_
         assert_eq!(has_text(&story, floor), is_turned, "{theta} {phi}");
     }
 }
+
+#[test]
+fn a_shape_that_is_alone_and_larger_in_the_picture_is_not_said_to_be_missing() {
+    for (key, look) in [
+        // Its front has one color, so that the smaller one is nowhere off.
+        (Key::C, Look::Studio),
+        (Key::S, Look::Course),
+        (Key::S, Look::Studio),
+    ] {
+        let mut story = Story::start(&[]);
+        story.key_with(Modifiers::SHIFT, key);
+        show_in(&mut story, look);
+        story.type_into("Uniform Scale", "1.3");
+        compare_with_itself(&mut story, (640, 480));
+        judge(&mut story);
+        story.type_into("Uniform Scale", "1");
+        judge(&mut story);
+        let told = texts(&story);
+        assert!(
+            !has_text(&story, "A shows something"),
+            "{key:?} {look:?} {told:?}"
+        );
+        let is_larger = |text: &&String| text.contains("times as large") || text.contains("nearer");
+        let larger = told.iter().find(is_larger);
+        let larger = larger.unwrap_or_else(|| panic!("{key:?} {look:?} {told:?}"));
+        // Round a sphere no camera shows anything else.
+        let is_turned = larger.contains("to the left") || larger.contains("to the right");
+        assert!(key == Key::C || !is_turned, "{look:?} {larger}");
+    }
+}

@@ -189,7 +189,7 @@ fn fmt_axes(f: &mut fmt::Formatter<'_>, only_in: Which, alone: bool) -> fmt::Res
 impl Finding {
     /// How A is placed in B in words, where it is elsewhere, in another size or turned, with what of it differs even so; `None` of
     /// another finding.
-    pub fn placement(&self) -> Option<String> {
+    pub(in crate::compare) fn placement(&self) -> Option<String> {
         match *self {
             Self::Shifted { dx, dy } => Some(format!("moved {}", moved(dx, dy))),
             Self::Placed {

@@ -2,7 +2,8 @@
 
 use super::Finding;
 use super::evidence::{Evidence, FEWEST_PIXELS, count};
-use crate::compare::{Area, Pair};
+use super::moments::Moments;
+use crate::compare::{Area, PixelGrid};
 use crate::steps::Pace;
 use glam::DVec2;
 
@@ -51,9 +52,9 @@ pub(super) async fn placed(evidence: &Evidence<'_>) -> Option<Finding> {
     is_told.then(|| outlines.finding(place, unexplained))?
 }
 
-/// A's outline found again in B where it is that of a figure that is all that is drawn, so that no part of it stands still. What of it differs even so, as where
-/// it is seen from another side then, may be more.
-pub(super) async fn whole_placed(evidence: &Evidence<'_>) -> Option<Finding> {
+/// The same of a figure that is all that is drawn, so that no part of it stands still, with the middle of A's outline. What of it
+/// differs even so may be more: from another place it is seen from another side.
+pub(super) async fn whole_placed(evidence: &Evidence<'_>) -> Option<(DVec2, Finding)> {
     let outlines = Outlines::new(evidence).await?;
     let [upright, ..] = outlines.starts();
     let of_one_size = Place {
@@ -64,10 +65,13 @@ pub(super) async fn whole_placed(evidence: &Evidence<'_>) -> Option<Finding> {
     let place = outlines.best_of(&starts).await?;
     let before = outlines.misfit(outlines.still()).await;
     let after = outlines.misfit(place).await;
-    let is_told = after.share() <= SAME_WHOLE && after.explains_most_of(before);
     let share = after.share();
+    if share > SAME_WHOLE || !after.explains_most_of(before) || !outlines.are_in_view(after) {
+        return None;
+    }
     let unexplained = if share <= SAME { 0.0 } else { share };
-    (is_told && outlines.are_in_view(after)).then(|| outlines.finding(place, unexplained))?
+    let finding = outlines.finding(place, unexplained)?;
+    Some((outlines.moments[0].center, finding))
 }
 
 /// Where B has what A has around a center of its own.
@@ -107,36 +111,17 @@ impl Misfit {
 
 /// What is drawn without lines as thin as axes, which reach out of the figure; all of it if one of the
 /// two has only lines.
-async fn without_lines(pair: &Pair<'_>, drawn: &[Vec<bool>; 2], pace: &Pace) -> [Vec<bool>; 2] {
+async fn without_lines(grid: PixelGrid, drawn: &[Vec<bool>; 2], pace: &Pace) -> [Vec<bool>; 2] {
     let mut solid = [Vec::new(), Vec::new()];
     for (solid, drawn) in solid.iter_mut().zip(drawn) {
-        *solid = grown(pair, &shrunk(pair, drawn, pace).await, pace).await;
+        let inside = grid.paced_shrunk(drawn, pace).await;
+        *solid = grid.paced_grown(&inside, pace).await;
     }
     if solid.iter().any(|solid| count(solid) < FEWEST_PIXELS) {
         drawn.clone()
     } else {
         solid
     }
-}
-
-/// `mask` with all pixels beside it.
-async fn grown(pair: &Pair<'_>, mask: &[bool], pace: &Pace) -> Vec<bool> {
-    let is_in = |at| pair.around(at).any(|near| mask[near]);
-    pixels(mask.len(), is_in, pace).await
-}
-
-/// `mask` without the pixels at its edge.
-async fn shrunk(pair: &Pair<'_>, mask: &[bool], pace: &Pace) -> Vec<bool> {
-    let is_in = |at| pair.around(at).all(|near| mask[near]);
-    pixels(mask.len(), is_in, pace).await
-}
-
-/// Whether each of so many pixels is in a mask.
-async fn pixels(count: usize, is_in: impl Fn(usize) -> bool, pace: &Pace) -> Vec<bool> {
-    let mut mask = Vec::with_capacity(count);
-    pace.bands(count, |band| mask.extend(band.map(&is_in)))
-        .await;
-    mask
 }
 
 /// What is drawn in both pictures.
@@ -153,24 +138,17 @@ struct Outlines<'a> {
     sought: (Area, usize),
 }
 
-/// Number of the drawn pixels, their middle, and the direction in which they reach farthest.
-#[derive(Clone, Copy, Debug)]
-struct Moments {
-    count: f64,
-    center: DVec2,
-    direction: f64,
-}
-
 impl<'a> Outlines<'a> {
     async fn new(evidence: &'a Evidence<'_>) -> Option<Self> {
         let (pair, pace) = (evidence.pair(), evidence.pace);
-        let drawn = without_lines(pair, evidence.drawn_masks().await?, pace).await;
+        let grid = pair.grid();
+        let drawn = without_lines(grid, evidence.drawn_masks().await?, pace).await;
         let width = pair.width() as usize;
         let a = Moments::of(&drawn[0], width, pace).await?;
         let b = Moments::of(&drawn[1], width, pace).await?;
         let about = [
-            grown(pair, &drawn[0], pace).await,
-            shrunk(pair, &drawn[0], pace).await,
+            grid.paced_grown(&drawn[0], pace).await,
+            grid.paced_shrunk(&drawn[0], pace).await,
         ];
         let area = evidence.area_of(&drawn[1])?;
         let (beside, above) = (area.width / 4 + 2, area.height / 4 + 2);
@@ -399,33 +377,5 @@ impl<'a> Source<'a> {
         }
         let index = at.y as usize * width + at.x as usize;
         kept.get(index)?.then_some(index)
-    }
-}
-
-impl Moments {
-    /// `None` where nothing is drawn.
-    async fn of(drawn: &[bool], width: usize, pace: &Pace) -> Option<Self> {
-        let places = || {
-            let drawn = drawn.iter().enumerate().filter(|(_, drawn)| **drawn);
-            drawn.map(|(i, _)| DVec2::new((i % width) as f64, (i / width) as f64))
-        };
-        let (count, sum) = places().fold((0.0, DVec2::ZERO), |(count, sum), at| {
-            (count + 1.0, sum + at)
-        });
-        pace.after(drawn.len()).await;
-        if count == 0.0 {
-            return None;
-        }
-        let center = sum / count;
-        let (squares, product) = places().fold((DVec2::ZERO, 0.0), |(squares, product), at| {
-            let off = at - center;
-            (squares + off * off, product + off.x * off.y)
-        });
-        pace.after(drawn.len()).await;
-        Some(Self {
-            count,
-            center,
-            direction: 0.5 * (2.0 * product).atan2(squares.x - squares.y),
-        })
     }
 }

@@ -1,6 +1,7 @@
 //! What the other picture shows where the live view has nothing.
 
 use super::clusters::clusters;
+use super::shapes_seen::box_of;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use glam::Vec2;
@@ -61,11 +62,8 @@ pub(super) fn hidden_at(session: &Session, area: Area, size: Vec2) -> Option<&st
     let camera = &session.view().camera;
     let shapes = session.scene().shapes().iter();
     let overlaps = shapes.filter(|shape| !shape.visible).filter_map(|shape| {
-        let corners = session.evaluated().shape(shape.id)?.world_box().corners();
-        let pixels = corners.into_iter().map(|corner| camera.pixel(corner, size));
-        let pixels = pixels.collect::<Option<Vec<Vec2>>>()?.into_iter();
-        let least = pixels.clone().reduce(Vec2::min)?.max(Vec2::ZERO);
-        let most = pixels.reduce(Vec2::max)?.min(size);
+        let [least, most] = box_of(session.evaluated().shape(shape.id)?, camera, size)?;
+        let (least, most) = (least.max(Vec2::ZERO), most.min(size));
         let from = Vec2::new(area.x as f32, area.y as f32);
         let extent = Vec2::new(area.width as f32, area.height as f32);
         let both = (most.min(from + extent) - least.max(from)).max(Vec2::ZERO);

@@ -1,16 +1,15 @@
 //! Places apart from one another in which pictures differ.
 
+use super::CompareView;
 use super::clusters::clusters;
 use super::elsewhere::placement_of_all;
 use super::other_camera::other_camera;
-use super::owned::Owned;
-use super::parts::{How, Kind, Part, at, of_shapes, parts};
+use super::parts::{How, Kind, Part, Parts, of_shapes, parts};
 use super::place::{MUCH, absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
 use crate::scene::Camera;
-use glam::Vec2;
 
 /// A place in which pictures differ.
 #[derive(Clone, Debug)]
@@ -29,8 +28,6 @@ pub(super) struct Place {
 pub(in crate::ui) struct KeptPlaces {
     of: Option<KeptOf>,
     places: Vec<Place>,
-    /// Whether none are to be found, as while what differs is measured anew.
-    rests: bool,
 }
 
 /// What places follow from: the document, its view of so many pixels, and what differs there, of which a new one has other
@@ -38,25 +35,20 @@ pub(in crate::ui) struct KeptPlaces {
 type KeptOf = (Revision, Camera, (u32, u32), Area, [usize; 3]);
 
 impl KeptPlaces {
-    /// Finds no new places if it `rests`, as in the midst of a drag.
-    pub(super) fn rest(&mut self, rests: bool) {
-        self.rests = rests;
-    }
-
-    /// The places that `find` finds from what is off in a live view of `size` pixels.
+    /// The places that `find` finds from what is off. While that is measured anew, as in the midst of a drag, they stay.
     fn get(
         &mut self,
         session: &Session,
+        compare: &CompareView,
         off: &FigureOff,
-        size: (u32, u32),
         find: impl FnOnce() -> Vec<Place>,
     ) -> Vec<Place> {
-        if self.rests {
+        if compare.report.measuring {
             return self.places.clone();
         }
         let counts = [&off.ours, &off.theirs, &off.right].map(Vec::len);
         let camera = session.view().camera;
-        let of = (session.document(), camera, size, off.area, counts);
+        let of = (session.document(), camera, compare.size(), off.area, counts);
         if self.of != Some(of) {
             self.places = find();
             self.of = Some(of);
@@ -64,17 +56,17 @@ impl KeptPlaces {
         self.places.clone()
     }
 
-    /// The parts that differ in a live view of `size` pixels, if there are some that explain what does, or else all of the figure
-    /// if it stands `elsewhere` or is seen by another camera.
+    /// The parts that differ, if there are some that explain what does, or else all of the figure if it stands `elsewhere` or is
+    /// seen by another camera.
     pub(super) fn of_figure(
         &mut self,
         session: &Session,
+        compare: &CompareView,
         off: &FigureOff,
-        size: (u32, u32),
         elsewhere: impl FnOnce() -> Option<Place>,
     ) -> Vec<Place> {
-        self.get(session, off, size, || {
-            parts_or_all(session, off, size, elsewhere)
+        self.get(session, compare, off, || {
+            parts_or_all(session, off, compare.size(), elsewhere)
         })
     }
 
@@ -83,11 +75,13 @@ impl KeptPlaces {
     pub(super) fn apart(
         &mut self,
         session: &Session,
+        compare: &CompareView,
         off: &FigureOff,
         figure: Area,
-        size: (u32, u32),
     ) -> Vec<Place> {
-        self.get(session, off, size, || apart(session, off, figure, size))
+        self.get(session, compare, off, || {
+            apart(session, off, figure, compare.size())
+        })
     }
 }
 
@@ -98,25 +92,27 @@ fn parts_or_all(
     size: (u32, u32),
     elsewhere: impl FnOnce() -> Option<Place>,
 ) -> Vec<Place> {
-    let parts = parts(session, off, size);
+    let Parts {
+        all: parts,
+        is_shape_still,
+    } = parts(session, off, size);
+    let by_other_camera = || match is_shape_still {
+        true => None,
+        false => seen_by_other_camera(session, off, size),
+    };
     let are_absent = parts.iter().all(|part| part.kind == Kind::Absent);
     let all = match parts.len() {
         // Round a shape that is only larger in the other picture nothing is in the live view, either.
-        _ if are_absent => elsewhere().or_else(|| from_elsewhere(session, off, size)),
+        _ if are_absent => elsewhere().or_else(by_other_camera),
         1 => None,
         // What several parts would explain may be one camera.
-        _ => from_elsewhere(session, off, size),
+        _ => by_other_camera(),
     };
     all.map_or_else(|| places_of(parts), |all| vec![all])
 }
 
 /// All that is drawn, if it is where the other picture has it as another camera sees it.
-fn from_elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
-    let [ours, right] = [&off.ours, &off.right].map(|all| all.iter().map(at).collect::<Vec<_>>());
-    let view = Vec2::new(size.0 as f32, size.1 as f32);
-    if Owned::new(session, [&ours, &right], view).has_still_shape() {
-        return None;
-    }
+fn seen_by_other_camera(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
     let camera = other_camera(session, off, size)?;
     Some(Place {
         told: seen_from_elsewhere(&camera),
@@ -211,4 +207,51 @@ fn areas_apart(off: &FigureOff, cell: u32) -> Vec<(Area, bool)> {
             (is_ours || off.has_outline).then_some((area, is_ours))
         });
     areas.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::Edit;
+    use crate::scene::{NewShape, ShapeKind};
+
+    /// Every third pixel of a square round the middle of a picture.
+    fn square(half: u32) -> Vec<[u32; 2]> {
+        let along = |middle: u32| (middle - half..middle + half).filter(|at| at % 3 == 0);
+        along(150)
+            .flat_map(|y| along(300).map(move |x| [x, y]))
+            .collect()
+    }
+
+    #[test]
+    fn round_a_shape_that_is_larger_in_the_other_picture_nothing_is_missing() {
+        let mut session = Session::new();
+        let cube = NewShape::new("Cube", ShapeKind::Cube);
+        session.edit(Edit::Insert(vec![cube])).unwrap();
+        let (size, right) = ((600, 300), square(30));
+        let theirs = square(60).into_iter();
+        let off = FigureOff {
+            area: "240,90,120,120".parse().unwrap(),
+            ours: Vec::new(),
+            theirs: theirs.filter(|pixel| !right.contains(pixel)).collect(),
+            right,
+            apart: 3,
+            has_outline: true,
+        };
+        let told = |elsewhere: Option<Place>| -> Vec<String> {
+            let places = parts_or_all(&session, &off, size, || elsewhere).into_iter();
+            places.map(|place| place.told).collect()
+        };
+        let larger = Place {
+            told: "Larger".to_owned(),
+            area: off.area,
+            is_part: false,
+            instead: None,
+        };
+        assert_eq!(told(Some(larger)), ["Larger"]);
+        let [missing] = &told(None)[..] else {
+            panic!("one place");
+        };
+        assert!(missing.starts_with("A shows something"), "{missing}");
+    }
 }

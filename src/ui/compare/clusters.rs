@@ -44,7 +44,7 @@ const STRAY: f64 = 0.25;
 /// along its shadow, and the ground if it is the lowest one. All of them if nowhere so many lie together.
 pub(super) fn without_strays(pixels: &[(u32, u32)], apart: u32) -> Vec<(u32, u32)> {
     let cell = ALONG * apart.max(1);
-    let filled = filled(pixels, cell);
+    let filled = filled(pixels.iter().copied(), cell);
     let clusters = clusters(filled, |([row, column], _)| (*column, *row), 1);
     let size = |cluster: &[(Cell, usize)]| cluster.iter().map(|(_, count)| count).sum::<usize>();
     let largest = clusters.iter().map(|cluster| size(cluster)).max();
@@ -60,28 +60,28 @@ pub(super) fn without_strays(pixels: &[(u32, u32)], apart: u32) -> Vec<(u32, u32
 
 /// Those of the pixels that are so far `apart` which lie together in an area, or beside one, and not along lines.
 pub(super) fn in_areas(pixels: impl Iterator<Item = [u32; 2]>, apart: u32) -> Vec<[u32; 2]> {
-    let pixels: Vec<(u32, u32)> = pixels.map(<(u32, u32)>::from).collect();
+    let pixels: Vec<[u32; 2]> = pixels.collect();
     let cell = ALONG * apart.max(1);
-    let kept: HashSet<Cell> = filled(&pixels, cell)
+    let kept: HashSet<Cell> = filled(pixels.iter().map(|&[x, y]| (x, y)), cell)
         .flat_map(|(at, _)| around(at))
         .collect();
-    let is_kept = |pixel: &(u32, u32)| kept.contains(&cell_of(*pixel, cell));
-    pixels
-        .into_iter()
-        .filter(is_kept)
-        .map(<[u32; 2]>::from)
-        .collect()
+    let is_kept = |&[x, y]: &[u32; 2]| kept.contains(&cell_of((x, y), cell));
+    pixels.into_iter().filter(is_kept).collect()
 }
 
 /// Whether pixels that are so far `apart` lie together in an area somewhere, and not only along lines.
-pub(super) fn fill_an_area(pixels: &[(u32, u32)], apart: u32) -> bool {
+pub(super) fn fill_an_area(pixels: &[[u32; 2]], apart: u32) -> bool {
+    let pixels = pixels.iter().map(|&[x, y]| (x, y));
     filled(pixels, ALONG * apart.max(1)).next().is_some()
 }
 
 /// The cells that pixels fill, with how many there are in each.
-fn filled(pixels: &[(u32, u32)], cell: u32) -> impl Iterator<Item = (Cell, usize)> {
+fn filled(
+    pixels: impl Iterator<Item = (u32, u32)>,
+    cell: u32,
+) -> impl Iterator<Item = (Cell, usize)> {
     let mut counts = BTreeMap::<Cell, usize>::new();
-    for &pixel in pixels {
+    for pixel in pixels {
         *counts.entry(cell_of(pixel, cell)).or_default() += 1;
     }
     counts.into_iter().filter(|(_, count)| *count >= FILLED)

@@ -28,14 +28,13 @@ pub(super) fn findings(
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
     let counts = compare.report.differences.as_ref();
     let all = counts.and_then(|counts| counts.differing_area);
-    kept.rest(compare.report.measuring);
     // What differs of the figure says more than all that does, where other lines and floors are drawn about it.
     let of_page = compare.report.page_figure.as_ref();
     let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure, kept));
     let judgment = compare.report.judgment.as_ref();
     let apart = judgment.filter(|_| of_page.is_none()).and_then(|judged| {
         let (off, figure) = (judged.off.as_ref()?, judged.figure?);
-        Some(kept.apart(session, off, figure, compare.size()))
+        Some(kept.apart(session, compare, off, figure))
     });
     let apart = apart.unwrap_or_default();
     let places = of_page.as_ref().map(|figure| &figure.places);

@@ -27,6 +27,7 @@ mod parts;
 mod pictures;
 mod place;
 mod settings;
+mod shapes_seen;
 mod surface;
 mod turned;
 
@@ -100,7 +101,7 @@ pub struct CompareReport {
     /// Why nothing can be measured.
     pub problem: Option<CompareError>,
     /// The figure in a screenshot of the Virtual Mannequin's page; `None` for other pictures, and before it is known.
-    pub page_figure: Option<PageFigure>,
+    pub page_figure: Option<Box<PageFigure>>,
 }
 
 /// Where the figure in a screenshot of the Virtual Mannequin's page is not the one in the live view, whatever differs of

@@ -6,7 +6,7 @@ use super::surface::Surface;
 use crate::compare::FigureOff;
 use crate::editor::Session;
 use crate::scene::Camera;
-use std::f32::consts::FRAC_PI_2;
+use glam::Vec2;
 
 /// Mean distance in cells of the live view's own outline from where its surfaces are up to which these are what is drawn: it was
 /// 0.03 at most, and more than 0.2 of a robot whose limbs are as thin as lines.
@@ -77,7 +77,8 @@ pub(super) fn other_camera(session: &Session, off: &FigureOff, size: (u32, u32))
     let before = theirs.misfit(&still);
     let misfit = |camera: &Camera| theirs.misfit(&surface.covered(camera));
     let (after, there) = search(here, misfit);
-    let there = amid_as_good(there, |camera| misfit(camera) <= after + AS_GOOD);
+    let is_as_good = |camera: &Camera| misfit(camera) <= after + AS_GOOD;
+    let there = amid_as_good(unturned(there, here, is_as_good), is_as_good);
     let is_exact = after <= EXACT;
     let is_same = after <= LIKE_ITSELF * of_itself + ROUNDING;
     let [before, after] = [before, after].map(|all| (all - of_itself).max(0.0));
@@ -130,6 +131,23 @@ fn refined(mut best: (f32, Camera), rated: impl Fn(Camera) -> (f32, Camera)) -> 
     best
 }
 
+/// The camera without turns from the one that is `here` which show nothing, as round a goblet.
+fn unturned(there: Camera, here: Camera, is_as_good: impl Fn(&Camera) -> bool) -> Camera {
+    let without = [
+        |camera: &mut Camera, here: &Camera| camera.theta = here.theta,
+        |camera: &mut Camera, here: &Camera| camera.phi = here.phi,
+    ];
+    without.into_iter().fold(there, |camera, without_turn| {
+        let mut unturned = camera;
+        without_turn(&mut unturned, &here);
+        if is_as_good(&unturned) {
+            unturned
+        } else {
+            camera
+        }
+    })
+}
+
 /// The camera in the midst of those turned to either side, and then up and down, that are as good: from one degree to the next
 /// outlines hardly differ by a cell.
 fn amid_as_good(from: Camera, is_as_good: impl Fn(&Camera) -> bool) -> Camera {
@@ -151,14 +169,11 @@ fn amid_as_good(from: Camera, is_as_good: impl Fn(&Camera) -> bool) -> Camera {
 /// A camera that is turned about its target by these degrees, to the left and up, is so many times farther away by the power of
 /// *e*, and looks so much farther to the right and up, by its distance.
 fn moved(camera: Camera, [theta, phi, farther, right, up]: [f32; 5]) -> Camera {
-    let aside = right * camera.right() + up * camera.up();
-    Camera {
-        theta: camera.theta + theta.to_radians(),
-        phi: (camera.phi + phi.to_radians()).clamp(-FRAC_PI_2, FRAC_PI_2),
-        radius: camera.radius * farther.exp(),
-        target: camera.target + camera.radius * aside,
-        ..camera
-    }
+    let mut moved = camera;
+    moved.orbit(Vec2::new(theta.to_radians(), phi.to_radians()));
+    moved.dolly(farther);
+    moved.target += camera.radius * (right * camera.right() + up * camera.up());
+    moved
 }
 
 /// How a camera differs from the one that is here, with how far if that `is_exact`; `None` if it is only moved to a side.

@@ -42,8 +42,8 @@ pub(super) struct FigureTold {
     pub is_elsewhere: bool,
     /// Whether it is sure that the other picture is of the page.
     is_sure: bool,
-    /// Whether the figure agrees, and the floor does not.
-    is_floor_alone: bool,
+    /// Whether the floor differs by more than noise.
+    is_floor_off: bool,
 }
 
 impl FigureTold {
@@ -53,17 +53,17 @@ impl FigureTold {
         figure: &PageFigure,
         kept: &mut KeptPlaces,
     ) -> Self {
-        let is_sure = compare.is_cut;
+        let (is_sure, is_floor_off) = (compare.is_cut, figure.is_floor_off);
         let Some(off) = &figure.off else {
             return Self {
                 places: Vec::new(),
                 is_elsewhere: false,
                 is_sure,
-                is_floor_alone: figure.is_floor_off,
+                is_floor_off,
             };
         };
         let area = off.area;
-        let places = kept.of_figure(session, off, compare.size(), || {
+        let places = kept.of_figure(session, compare, off, || {
             let elsewhere = figure.elsewhere.as_ref()?;
             Some(Place {
                 told: placed_elsewhere(&elsewhere.placement, 1, elsewhere.is_floor_right),
@@ -88,7 +88,7 @@ impl FigureTold {
                 }],
                 is_elsewhere: is_much,
                 is_sure,
-                is_floor_alone: false,
+                is_floor_off,
             };
         }
         let elsewhere = figure.elsewhere.as_ref();
@@ -98,13 +98,13 @@ impl FigureTold {
             places,
             is_elsewhere: is_much && !are_parts && (is_sure || !is_only_moved),
             is_sure,
-            is_floor_alone: false,
+            is_floor_off,
         }
     }
 
     /// What to do, or to know.
     pub(super) fn hint(&self) -> &'static str {
-        if self.is_sure && self.is_floor_alone {
+        if self.is_sure && self.is_floor_off && self.places.is_empty() {
             return FLOOR;
         }
         let hints = if self.is_elsewhere { ELSEWHERE } else { ALWAYS };

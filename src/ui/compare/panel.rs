@@ -157,19 +157,25 @@ fn settings(
             actions.push(Action::View(View::SetLook(Look::Course)));
             actions.push(Action::View(View::SetShading(Shading::AsAuthored)));
         }
-        let studio = ui
-            .add_enabled(look != Look::Studio, Button::new("Studio look"))
-            .on_hover_text("Draw the live view as pictures of files that are not the course's: its light and ground")
-            .on_disabled_hover_text("The live view is drawn in the Studio look");
-        if studio.clicked() {
-            actions.push(Action::View(View::SetLook(Look::Studio)));
-        }
-        let mannequin = ui
-            .add_enabled(look != Look::Mannequin, Button::new("Mannequin look"))
-            .on_hover_text("Draw the live view as the Virtual Mannequin does: its light and background")
-            .on_disabled_hover_text("The live view is drawn as the Virtual Mannequin does");
-        if mannequin.clicked() {
-            actions.push(Action::View(View::SetLook(Look::Mannequin)));
+        for (other, name, tip, is_it) in [
+            (
+                Look::Studio,
+                "Studio look",
+                "Draw the live view as pictures of files that are not the course's: its light and ground",
+                "The live view is drawn in the Studio look",
+            ),
+            (
+                Look::Mannequin,
+                "Mannequin look",
+                "Draw the live view as the Virtual Mannequin does: its light and background",
+                "The live view is drawn as the Virtual Mannequin does",
+            ),
+        ] {
+            let button = ui.add_enabled(look != other, Button::new(name));
+            let button = button.on_hover_text(tip).on_disabled_hover_text(is_it);
+            if button.clicked() {
+                actions.push(Action::View(View::SetLook(other)));
+            }
         }
         masks::buttons(ui, compare, look, &mut changed.masks);
     });

@@ -3,11 +3,12 @@
 use super::absent::{Attributed, hidden_at, without_absent};
 use super::bones_seen::characters_seen;
 use super::clusters::{fill_an_area, without_strays};
-use super::limbs::{Body, Limb, limbs};
+use super::limbs::{Body, Limb, Limbs, limbs};
 use super::owned::Owned;
+use super::shapes_seen::{ShapeSeen, shapes_seen};
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
-use crate::scene::{EvaluatedShape, ShapeId};
+use crate::scene::ShapeId;
 use glam::Vec2;
 use std::collections::HashSet;
 
@@ -152,13 +153,37 @@ impl Seen<'_> {
     }
 }
 
-/// The parts that differ in a live view of `size` pixels. None if they are not all that differs, or if together they are the
-/// figure itself, which a camera that is elsewhere moves as well.
-pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec<Part> {
+/// The parts that differ, and what is known beside them.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Parts {
+    /// None if they are not all that differs, or if together they are the figure itself, which a camera that is elsewhere moves
+    /// as well.
+    pub all: Vec<Part>,
+    /// Whether all of some shape stands still, which none does that another camera shows.
+    pub is_shape_still: bool,
+}
+
+/// The parts that differ in a live view of `size` pixels.
+pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Parts {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
-    let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right]
+    let pixels = [&off.ours, &off.theirs, &off.right]
         .map(|all| -> Vec<Vec2> { all.iter().map(at).collect() });
-    let limbs = limbs(session, off, [&ours, &right], size);
+    let [ours, _, right] = &pixels;
+    let limbs = limbs(session, off, [ours, right], size);
+    Parts {
+        is_shape_still: limbs.owned.has_still_shape(),
+        all: parts_with(limbs, session, off, &pixels, size),
+    }
+}
+
+/// The same where limbs are known, and the pixels of `off` as points.
+fn parts_with(
+    limbs: Limbs,
+    session: &Session,
+    off: &FigureOff,
+    [ours, theirs, right]: &[Vec<Vec2>; 3],
+    size: Vec2,
+) -> Vec<Part> {
     let is_camera_right = limbs.is_camera_right;
     // What a root turns is all of the figure, as what a camera shows that is elsewhere.
     if !limbs.whole.is_empty() && !is_camera_right {
@@ -168,7 +193,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     }
     let shapes = shapes_seen(session, size, &limbs.whole).into_iter();
     let differs =
-        |shape: &ShapeSeen| shape.shows_at(&ours, session, size) && !limbs.owned.is_still(shape.id);
+        |shape: &ShapeSeen| shape.shows_at(ours, session, size) && !limbs.owned.is_still(shape.id);
     let shapes = shapes.filter(differs);
     let of_limbs = limbs.all.into_iter().map(Seen::Limb);
     let seen: Vec<Seen> = of_limbs.chain(shapes.map(Seen::Shape)).collect();
@@ -187,9 +212,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Vec
     let explained = of_ours.iter().filter(is_explained).count() as f32;
     let shown = (theirs.len() + right.len()).max(1) as f64;
     // Lines of the ground that are behind something in the other picture may be left over.
-    let pixels_of_ours: Vec<(u32, u32)> = off.ours.iter().map(|&[x, y]| (x, y)).collect();
-    let are_strays =
-        (ours.len() as f64) < STRAYS * shown && !fill_an_area(&pixels_of_ours, off.apart);
+    let are_strays = (ours.len() as f64) < STRAYS * shown && !fill_an_area(&off.ours, off.apart);
     if explained < EXPLAINED * ours.len() as f32 && !are_strays {
         return Vec::new();
     }
@@ -289,8 +312,7 @@ fn recolored_alone(session: &Session, off: &FigureOff, owned: &Owned) -> Option<
     })
 }
 
-/// A pixel as a point.
-pub(super) fn at(&[x, y]: &[u32; 2]) -> Vec2 {
+fn at(&[x, y]: &[u32; 2]) -> Vec2 {
     Vec2::new(x as f32, y as f32)
 }
 
@@ -313,69 +335,6 @@ pub(super) fn of_shapes(session: &Session, off: &FigureOff, size: (u32, u32)) ->
             || bodies.iter().any(|body| body.distance(pixel) <= 1.0)
     });
     of_shapes
-}
-
-/// Pixels in the box around a shape of which it is found out whether the shape is there, …
-const PROBED: usize = 64;
-/// … and the share of them from which on the shape differs, and not only what was behind or before it.
-const SHOWS: f64 = 0.3;
-
-/// A visible shape, and the box around it in the picture.
-struct ShapeSeen<'a> {
-    id: ShapeId,
-    name: &'a str,
-    is_character: bool,
-    evaluated: &'a EvaluatedShape,
-    least: Vec2,
-    most: Vec2,
-}
-
-impl ShapeSeen<'_> {
-    /// 1 in the box, as far as a limb reaches, so that a pixel is a limb's where there is one.
-    fn distance(&self, pixel: Vec2) -> f32 {
-        1.0 + pixel.distance(pixel.clamp(self.least, self.most))
-    }
-
-    /// Whether many of such pixels in the box show the shape.
-    fn shows_at(&self, pixels: &[Vec2], session: &Session, size: Vec2) -> bool {
-        let inside = pixels.iter().filter(|pixel| self.distance(**pixel) <= 1.0);
-        let step = inside.clone().count().div_ceil(PROBED).max(1);
-        let probed: Vec<&Vec2> = inside.step_by(step).collect();
-        let camera = &session.view().camera;
-        let is_met = |pixel: &&&Vec2| self.evaluated.is_met_by(&camera.ray(***pixel, size));
-        let met = probed.iter().filter(is_met).count();
-        met as f64 > SHOWS * probed.len() as f64
-    }
-}
-
-/// The shapes without bones, and these `characters`. None where a shape is alone: what differs is it, then.
-fn shapes_seen<'a>(session: &'a Session, size: Vec2, characters: &[ShapeId]) -> Vec<ShapeSeen<'a>> {
-    let (scene, evaluated) = (session.scene(), session.evaluated());
-    let camera = &session.view().camera;
-    let visible = || scene.shapes().iter().filter(|shape| shape.visible);
-    if visible().count() < 2 {
-        return Vec::new();
-    }
-    let seen = visible().filter_map(|shape| {
-        let is_character = scene.character(shape.id).is_some();
-        if is_character && !characters.contains(&shape.id) {
-            return None;
-        }
-        let evaluated = evaluated.shape(shape.id)?;
-        let corners = evaluated.world_box().corners().into_iter();
-        // One that reaches behind the camera is everywhere.
-        let pixels = corners.map(|corner| camera.pixel(corner, size));
-        let pixels = pixels.collect::<Option<Vec<Vec2>>>()?;
-        Some(ShapeSeen {
-            id: shape.id,
-            name: &shape.name,
-            is_character,
-            evaluated,
-            least: pixels.iter().copied().reduce(Vec2::min)?,
-            most: pixels.iter().copied().reduce(Vec2::max)?,
-        })
-    });
-    seen.collect()
 }
 
 #[cfg(test)]
@@ -414,6 +373,7 @@ mod tests {
             has_outline: true,
         };
         let parts: Vec<_> = parts(&session, &off, size)
+            .all
             .into_iter()
             .map(|part| (part.name, Some(part.area)))
             .collect();

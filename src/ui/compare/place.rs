@@ -75,7 +75,7 @@ pub(super) fn placed_elsewhere(placement: &str, within: u32, is_camera_right: bo
 /// Sentence about all that is drawn, which is where the other picture has it when a camera sees it that differs so, in words.
 pub(super) fn seen_from_elsewhere(camera: &str) -> String {
     format!(
-        "A is seen by another camera than B: {camera}. From there all that is drawn is where A has it. Or all of it is turned."
+        "A is seen by another camera than B: {camera}. From there all that is drawn is where A has it. Or all of it is turned, moved or scaled."
     )
 }
 

@@ -1,4 +1,5 @@
-//! Points of surfaces, by which it is known where other cameras show them.
+//! Points of surfaces, by which it is known where other cameras show them. Hundreds of cameras are tried, for each of which all
+//! triangles would have to be filled otherwise.
 
 use super::cells::{Cells, Grid};
 use crate::editor::Session;
