@@ -79,26 +79,43 @@ pub enum CompareError {
     #[error("no pixel is left to compare")]
     NothingToCompare,
     /// Meshes of different numbers of vertices.
-    #[error("the meshes differ in size: A has {a} vertices, B has {b}{}", places_hint(*.same_places))]
+    #[error("the meshes differ in size: A has {a} vertices, B has {b}{}", in_common(*.a, *.b, *.alike))]
     Vertices {
         /// Vertices of A.
         a: u64,
         /// Vertices of B.
         b: u64,
-        /// Whether the vertices of each lie where some of the other do.
-        same_places: bool,
+        /// What they have in common.
+        alike: Alike,
     },
     /// Meshes without vertices.
     #[error("the meshes have no vertices")]
     NoVertices,
 }
 
+/// What meshes of different numbers of vertices have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Alike {
+    /// The larger mesh begins with all vertices of the smaller one.
+    Beginning,
+    /// The vertices of each lie where some of the other do.
+    Places,
+    /// None of that.
+    Nothing,
+}
+
 /// What a difference in the number of vertices comes from; empty if unknown.
-fn places_hint(same_places: bool) -> &'static str {
-    if same_places {
-        " (at the same places: vertices were merged, or repeated for each face)"
-    } else {
-        ""
+fn in_common(a: u64, b: u64, alike: Alike) -> String {
+    let more = if a < b { 'B' } else { 'A' };
+    match alike {
+        Alike::Beginning => format!(
+            " ({more} has all those of the other first, and {} more after them)",
+            a.abs_diff(b)
+        ),
+        Alike::Places => {
+            " (at the same places: vertices were merged, or repeated for each face)".to_owned()
+        }
+        Alike::Nothing => String::new(),
     }
 }
 

@@ -97,7 +97,12 @@ impl Report {
         for submission in &self.submissions {
             for test in &submission.tests {
                 if is_ungraded(test.outcome) {
-                    let reason = (test.outcome.word(), in_one_line(&test.text));
+                    let text = match test.outcome {
+                        // What a file says may be a page; a blank one is told in words of ours.
+                        Outcome::Blank => test.text.clone(),
+                        _ => in_one_line(&test.text),
+                    };
+                    let reason = (test.outcome.word(), text);
                     by_reason
                         .entry(reason)
                         .or_default()

@@ -1,6 +1,6 @@
 use crate::work::grows_in_proportion;
 use editor_core::compare::{
-    CompareError, MeshComparison, MeshFinding, MeshOptions, MeshParts, SignedAxis, Which,
+    Alike, CompareError, MeshComparison, MeshFinding, MeshOptions, MeshParts, SignedAxis, Which,
     compare_meshes,
 };
 use editor_core::geometry::{Mesh, icosahedron, teapot};
@@ -168,21 +168,44 @@ fn other_numbers_of_vertices_are_an_error_that_knows_merged_ones() {
         .step_by(3)
         .map(|i| [i, i + 1, i + 2]);
     let apart = Mesh::new(each_corner, triangles.collect());
-    let size = |same_places| CompareError::Vertices {
+    let size = |alike| CompareError::Vertices {
         a: a.positions.len() as u64,
         b: apart.positions.len() as u64,
-        same_places,
+        alike,
     };
     let error = |b: &Mesh| compare_meshes(&a, b, &MeshOptions::default()).unwrap_err();
-    assert_eq!(error(&apart), size(true));
+    assert_eq!(error(&apart), size(Alike::Places));
     assert!(error(&apart).to_string().contains("merged"));
     let mut other = apart.clone();
     other.positions[3] *= 1.5;
-    assert_eq!(error(&other), size(false));
+    assert_eq!(error(&other), size(Alike::Nothing));
     let nothing = Mesh::new(Vec::new(), Vec::new());
     assert_eq!(
         compare_meshes(&nothing, &nothing, &MeshOptions::default()),
         Err(CompareError::NoVertices)
+    );
+}
+
+#[test]
+fn vertices_too_many_at_the_end_are_told() {
+    let a = reference();
+    let with_more = |more: &[usize]| {
+        let added = more.iter().map(|&index| a.positions[index]);
+        let positions = a.positions.iter().copied().chain(added);
+        Mesh::new(positions.collect(), a.triangles.clone())
+    };
+    let last = a.positions.len() - 1;
+    let error = |a: &Mesh, b: &Mesh| {
+        let error = compare_meshes(a, b, &MeshOptions::default()).unwrap_err();
+        error.to_string()
+    };
+    assert!(
+        error(&a, &with_more(&[last]))
+            .ends_with(" (B has all those of the other first, and 1 more after them)")
+    );
+    assert!(
+        error(&with_more(&[0, 1]), &a)
+            .ends_with(" (A has all those of the other first, and 2 more after them)")
     );
 }
 
@@ -503,6 +526,26 @@ fn winding_is_compared_whichever_corner_comes_first() {
     assert!(all.findings[0].to_string().starts_with("all triangles"));
     let two = with(&|index, [i, j, k]| if index < 2 { [k, j, i] } else { [i, j, k] });
     assert_eq!(two.findings, [winding(2)]);
+}
+
+#[test]
+fn triangles_of_other_corners_are_not_said_to_wind_the_other_way() {
+    let a = reference();
+    // Every corner is one too low, as where faces were written with indices from 0; but for two triangles.
+    let count = a.positions.len() as u32;
+    let triangles = a.triangles.iter().enumerate().map(|(index, &[i, j, k])| {
+        if index < 2 {
+            [i, k, j]
+        } else {
+            [i, j, k].map(|corner| (corner + count - 1) % count)
+        }
+    });
+    let comparison = compare(&a, &Mesh::new(a.positions.clone(), triangles.collect()));
+    assert!(
+        matches!(comparison.findings[..], [MeshFinding::Triangles { .. }]),
+        "{:?}",
+        comparison.findings
+    );
 }
 
 #[test]

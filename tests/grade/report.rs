@@ -63,6 +63,19 @@ unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)<
 }
 
 #[test]
+fn what_is_asked_about_a_mesh_at_the_origin_is_not_shortened_on_the_terminal() {
+    let class = Class::new(&["robot"]);
+    let figure = &class.tests[0].1;
+    let origin = vec![Vec3::ZERO; figure.positions.len()];
+    let number: fn(f32) -> String = |number| number.to_string();
+    class.write("class/gus/robot-1.obj", obj(&origin, figure, number));
+    let ran = class.run("class --tests tests.json -o report");
+    let question = "blank: all vertices are at the origin: are the joints' matrices filled, and the inverse bind \
+                    matrices? New ones are 0, and so are weights below 1 that are read as whole numbers (gus)\n";
+    assert!(ran.out.ends_with(question), "{}", ran.out);
+}
+
+#[test]
 fn files_of_which_nothing_is_known_are_named_to_be_looked_at_by_hand() {
     let class = Class::new(&["robot", "robot"]);
     let right = with(&[]);

@@ -1,3 +1,4 @@
+use crate::compare::Alike;
 use glam::{DVec3, I64Vec3};
 use std::collections::HashMap;
 
@@ -73,9 +74,22 @@ fn moved(from_a: &[u32]) -> u64 {
     order.filter(|&(&index, own)| index != own).count() as u64
 }
 
+/// What two meshes of different numbers of vertices have in common.
+pub(super) fn alike(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Alike {
+    let is_same = |(a, b): (&DVec3, &DVec3)| a.distance(*b) <= tolerance;
+    let has_some = !a.is_empty() && !b.is_empty();
+    if has_some && a.iter().zip(b).all(is_same) {
+        Alike::Beginning
+    } else if same_places(a, b, tolerance) {
+        Alike::Places
+    } else {
+        Alike::Nothing
+    }
+}
+
 /// Whether every place of each mesh is one of the other, however often. Not if too many lie within
 /// the tolerance of one another for it to mean anything.
-pub(super) fn same_places(a: &[DVec3], b: &[DVec3], tolerance: f64) -> bool {
+fn same_places(a: &[DVec3], b: &[DVec3], tolerance: f64) -> bool {
     let holds = |grid: &mut Grid, points: &[DVec3]| {
         points.iter().all(|&point| grid.nearest(point).is_some()) && !grid.is_spent()
     };
