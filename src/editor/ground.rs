@@ -4,7 +4,6 @@ use super::Session;
 use super::shape_group::{kept_at, pivot_of};
 use crate::math::Transform;
 use crate::scene::{EvaluatedShape, Shape, ShapeId};
-use glam::{Mat4, Vec3};
 
 /// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
 pub(super) const OFF_THE_GROUND: f32 = 0.02;
@@ -49,7 +48,7 @@ pub(super) fn ground_below(session: &Session, id: ShapeId) -> Option<f32> {
     if is_near(feet, ground) {
         return Some(feet);
     }
-    let now = lowest(shown.geometry.positions(), shown.world_from_model);
+    let now = shown.geometry.lowest(shown.world_from_model);
     if is_near(now, ground) {
         return Some(now);
     }
@@ -68,24 +67,17 @@ pub(super) fn figures(session: &Session) -> impl Iterator<Item = (&Shape, &Evalu
 
 /// Height, in the world, of the lowest vertex of a shape at rest; infinite if it has none.
 pub(super) fn lowest_at_rest(shown: &EvaluatedShape) -> f32 {
-    lowest(&shown.geometry.mesh.positions, shown.world_from_model)
+    shown.geometry.lowest_at_rest(shown.world_from_model)
 }
 
 /// The same where the shape began.
 fn lowest_at_start(shape: &Shape, shown: &EvaluatedShape) -> f32 {
     let start = shape.start.transform.world_from_model();
-    lowest(&shown.geometry.mesh.positions, start)
+    shown.geometry.lowest_at_rest(start)
 }
 
 /// The same of the shape turned as it began.
 fn feet(shape: &Shape, shown: &EvaluatedShape) -> f32 {
     let upright = shape.upright().world_from_model();
-    lowest(&shown.geometry.mesh.positions, upright)
-}
-
-/// Least height, in the world, of `positions` in a model's space.
-fn lowest(positions: &[Vec3], world_from_model: Mat4) -> f32 {
-    let up = world_from_model.row(1);
-    let heights = positions.iter().map(|at| up.dot(at.extend(1.0)));
-    heights.fold(f32::INFINITY, f32::min)
+    shown.geometry.lowest_at_rest(upright)
 }

@@ -202,24 +202,13 @@ impl MeshCache {
         Ok(())
     }
 
-    /// Height of the ground in the world: the lowest point of the visible meshes and curves, but not
-    /// above the origin. At rest, and no lower than each was inserted, so that the ground stays where it is while a
-    /// character is posed or a shape is moved below it.
+    /// Height of the ground in the world: that below the visible meshes and curves, but not above the origin. It stays where
+    /// it is while a character is posed or a shape is moved below it.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
-        let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
-        let lowest = visible.filter_map(|shape| {
-            if self.meshes.is_refused(shape.id) {
-                return None;
-            }
-            let geometry = &shape.geometry;
-            let bounds = match &geometry.curves {
-                Some(_) => geometry.bounds(),
-                None => geometry.mesh.bounds(),
-            };
-            let world = bounds.transformed(shape.world_from_model);
-            (!bounds.is_empty()).then_some(world.min.y + shape.sunk)
-        });
-        lowest.filter(|y| y.is_finite()).fold(0.0, f32::min)
+        let shapes = evaluated.shapes.iter();
+        let shown = shapes.filter(|shape| shape.visible && !self.meshes.is_refused(shape.id));
+        let grounds = shown.map(|shape| shape.ground);
+        grounds.filter(|y| y.is_finite()).fold(0.0, f32::min)
     }
 
     /// Pictures that could not be shown since the last call, in words for the user.
