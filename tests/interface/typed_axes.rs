@@ -133,6 +133,40 @@ fn the_plane_again_is_the_shapes_own_and_then_none() {
 }
 
 #[test]
+fn a_drag_along_a_shapes_own_axes_tells_how_far_it_has_moved_along_these() {
+    let mut editor = with_cube(Vec3::X);
+    let turned = Transform {
+        rotation: Euler::from_degrees(Vec3::Z * 30.0),
+        ..Transform::IDENTITY
+    };
+    let id = editor.shape().id;
+    editor.edit(Edit::SetTransform(id, turned));
+    for (keys, letters) in [
+        (&[(Modifiers::NONE, Key::X); 2], &["x"][..]),
+        (&[(SHIFT, Key::Z); 2], &["x", "y"]),
+    ] {
+        editor.keys(&plain(&[Key::G]));
+        editor.keys(keys);
+        let to = editor.place(Vec3::new(1.5, 0.4, 0.0));
+        editor.point(to);
+        let moved = editor.transform().position;
+        let own = [Vec3::X, Vec3::Y].map(|axis| turned.world_from_model().transform_vector3(axis));
+        let told: Vec<String> = letters
+            .iter()
+            .zip(own)
+            .map(|(letter, axis)| format!("{letter} {:+.2}", moved.dot(axis)))
+            .collect();
+        let told = format!("local {}", told.join("  "));
+        let painted = editor.painted_over_view();
+        assert!(
+            painted.iter().any(|text| text.starts_with(&told)),
+            "{told}: {painted:?}"
+        );
+        editor.keys(&plain(&[Key::Escape]));
+    }
+}
+
+#[test]
 fn a_turn_is_about_the_axis_with_shift_as_without() {
     let degrees = [Modifiers::NONE, SHIFT].map(|modifiers| {
         let mut editor = with_cube(Vec3::X);

@@ -1,7 +1,7 @@
 //! By how much something that is held has turned or moved, in words.
 
 use super::held::{Drag, Held};
-use crate::editor::{Constraint, GizmoAxes, IkDrag};
+use crate::editor::{Constraint, GizmoAxes, IkDrag, MoveAlong, MoveDrag};
 
 impl Held {
     /// What becomes of pins that are out of reach, if some are, once the drag is over.
@@ -31,7 +31,6 @@ impl Held {
     fn amount(&self) -> String {
         let typed = self.typed.shown();
         let constraint = self.typed.constraint(self.axes).map(|(along, _)| along);
-        let letter = |axis: usize| ["x ", "y ", "z "][axis];
         let about = constraint.map_or("", |about| letter(about.named()));
         let turned = |angle: f64| match &typed {
             Some(typed) => format!("{about}{typed}°"),
@@ -64,7 +63,10 @@ impl Held {
                 Some(typed) => format!("{along}{typed}"),
                 None => {
                     let by = drag.moved();
-                    format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
+                    match self.typed.constraint(self.axes) {
+                        Some((along, GizmoAxes::Local)) => moved_along(drag, along),
+                        _ => format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z),
+                    }
                 }
             },
             Drag::Ik(drag) => match typed {
@@ -77,6 +79,25 @@ impl Held {
             Drag::Stuck(..) => "a pin holds it".to_owned(),
         }
     }
+}
+
+/// Name of an axis before a number.
+fn letter(axis: usize) -> &'static str {
+    ["x ", "y ", "z "][axis]
+}
+
+/// How far a shape has moved along its own axes.
+fn moved_along(drag: &MoveDrag, constraint: Constraint) -> String {
+    let directions = match drag.along() {
+        MoveAlong::Line(line) => vec![line],
+        MoveAlong::Axes(first, second) => vec![first, second],
+        MoveAlong::Plane(_) => Vec::new(),
+    };
+    let along = constraint.axes().zip(directions).map(|(axis, direction)| {
+        let length = drag.moved().dot(direction.normalize_or_zero());
+        format!("{}{length:+.2}", letter(axis))
+    });
+    along.collect::<Vec<_>>().join("  ")
 }
 
 /// What is amiss in a drag with the IK tool.
