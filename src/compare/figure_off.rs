@@ -31,6 +31,8 @@ pub struct FigureOff {
     pub apart: u32,
     /// Whether the figure is told from what is behind it. Otherwise all of the picture counts as the figure.
     pub has_outline: bool,
+    /// Whether what is behind the figure is the same in both, so that the camera is.
+    pub is_camera_right: bool,
 }
 
 impl FigureOff {
@@ -68,6 +70,7 @@ impl FigureOff {
             right: spread(right),
             apart,
             has_outline,
+            is_camera_right: false,
         })
     }
 }

@@ -65,6 +65,16 @@ impl PixelGrid {
             }
         })
         .await;
+        self.paced_apart(left, pace).await
+    }
+
+    /// The places of a mask by which hang together.
+    pub fn apart(self, mask: Vec<bool>) -> Vec<Vec<usize>> {
+        at_once(|pace| async move { self.paced_apart(mask, &pace).await })
+    }
+
+    /// The same in steps.
+    async fn paced_apart(self, mut left: Vec<bool>, pace: &Pace) -> Vec<Vec<usize>> {
         let mut islands = Vec::new();
         for first in 0..left.len() {
             if !std::mem::take(&mut left[first]) {

@@ -1,9 +1,9 @@
 //! Where the figure in a screenshot of the Virtual Mannequin's page is not the one in our picture, whatever differs behind and
-//! before it: the page has noise in its floor, and other lines for bones.
+//! before it: the page has noise in its floor, and other lines for bones. A picture of this program's own has neither.
 
 use crate::compare::{FigureOff, PixelGrid, WholePlaced, whole_outline_placed};
 use crate::geometry::Picture;
-use crate::ui::{FigureElsewhere, PageFigure};
+use crate::ui::{FigureElsewhere, FloorSeen, PageFigure};
 use glam::DVec2;
 use std::ops::Range;
 
@@ -28,6 +28,15 @@ const FEWEST_OF_EITHER: usize = 500;
 /// Share of it that differs where the camera is turned: by the page's noise 0.017 does, and by 3 degrees, of which the figure
 /// itself hardly shows anything, 0.037.
 const FLOOR_OFF: f64 = 0.03;
+/// The same where it is in its place: from a camera that is a twentieth nearer 0.044 differed.
+const FLOOR_IN_PLACE: f64 = 0.022;
+/// The same from which on no figure is worth a look before the camera is right: 5 degrees make it 0.066 even without noise.
+const FLOOR_ELSEWHERE: f64 = 0.06;
+/// Share of what is behind the figures in both pictures that differs where it is the same without noise: by the page's 0.1 does, and
+/// where a figure moved, which has colors of the floor in places as well, 0.01.
+const SAME_BEHIND: f64 = 0.02;
+/// How far channels are apart there.
+const ROUNDING: u8 = 2;
 /// Share of it that differs at most where it is in its place, …
 const STILL: f64 = 0.05;
 /// … and how many times as much does where it is not.
@@ -70,38 +79,44 @@ pub(super) fn is_of_sky(color: [u8; 3]) -> bool {
 }
 
 /// Where the figure in `ours` is not the one in `page`, of the same size, but for its edges and what lines of bones cover;
-/// `None` without a figure.
+/// `None` without a figure. Where what is behind is the same, so are lines where the figure is right.
 pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigure> {
     if (page.width, page.height) != (ours.width, ours.height) {
         return None;
     }
-    let [page, ours] = [page, ours].map(|picture| FigureIn {
-        pixels: picture.rgba.as_chunks::<4>().0,
-        grid: PixelGrid {
-            width: picture.width as usize,
-            height: picture.height as usize,
-        },
-    });
+    let [mut page, mut ours] = [page, ours].map(FigureIn::new);
+    let floor = page.floor_seen(&ours);
+    let is_same_behind = floor == FloorSeen::Same;
+    page.has_lines_in_figure = is_same_behind;
+    ours.has_lines_in_figure = is_same_behind;
     let is_figure = |at: &usize| page.is_figure(*at) || ours.is_figure(*at);
     let figure = (0..page.pixels.len()).filter(is_figure);
-    let of_meshes = page.meshes() + ours.meshes();
+    let of_figures = page.pixels_of_figure() + ours.pixels_of_figure();
     let islands = [page.islands_off(&ours), ours.islands_off(&page)];
     let off = FigureOff::new(
         page.grid,
         islands.each_ref().map(Vec::as_slice),
-        of_meshes,
+        of_figures,
         ours.right(&page),
         true,
     );
+    let off = off.map(|off| FigureOff {
+        is_camera_right: floor.is_in_place(),
+        ..off
+    });
     Some(PageFigure {
         area: page.grid.area_around(figure)?,
         is_slanted: page.is_slanted(),
-        is_floor_off: page
-            .floor_off(&ours, STANDING)
-            .is_some_and(|off| off > FLOOR_OFF),
+        floor,
         elsewhere: off.as_ref().and_then(|_| elsewhere(&page, &ours)),
         off,
     })
+}
+
+/// Whether a picture shows the page's floor near the eye, in both colors of its squares.
+pub(super) fn shows_floor_of_page(picture: &Picture) -> bool {
+    let figure = FigureIn::new(picture);
+    figure.floor_off(&figure, STANDING).is_some()
 }
 
 /// How the outline of the figure in `page` is placed in `ours`, if it is there and elsewhere.
@@ -109,7 +124,8 @@ fn elsewhere(page: &FigureIn<'_>, ours: &FigureIn<'_>) -> Option<FigureElsewhere
     let outlines = [page.outline(), ours.outline()];
     let placed = whole_outline_placed(page.grid.width, outlines.each_ref().map(Vec::as_slice))?;
     Some(FigureElsewhere {
-        is_floor_right: page.has_floor_of(ours, Movement::from(&placed)),
+        is_floor_right: page.has_lines_in_figure
+            || page.has_floor_of(ours, Movement::from(&placed)),
         is_only_moved: placed.factor == 1.0 && placed.degrees == 0.0,
         placement: placed.words,
     })
@@ -159,11 +175,61 @@ impl Movement {
 struct FigureIn<'a> {
     pixels: &'a [[u8; 4]],
     grid: PixelGrid,
+    /// Whether lines of bones are drawn as in the other picture, so that they are told as well as the mesh.
+    has_lines_in_figure: bool,
 }
 
-impl FigureIn<'_> {
+impl<'a> FigureIn<'a> {
+    fn new(picture: &'a Picture) -> Self {
+        Self {
+            pixels: picture.rgba.as_chunks::<4>().0,
+            grid: PixelGrid {
+                width: picture.width as usize,
+                height: picture.height as usize,
+            },
+            has_lines_in_figure: false,
+        }
+    }
+
     fn is_mesh(&self, at: usize) -> bool {
         Part::of(self.pixels[at]) == Part::Mesh
+    }
+
+    fn is_of_figure(&self, at: usize) -> bool {
+        match Part::of(self.pixels[at]) {
+            Part::Behind => false,
+            Part::Line => self.has_lines_in_figure,
+            Part::Mesh => true,
+        }
+    }
+
+    /// What the floors tell of the cameras.
+    fn floor_seen(&self, other: &Self) -> FloorSeen {
+        if self.has_same_behind(other) {
+            return FloorSeen::Same;
+        }
+        match self.floor_off(other, STANDING) {
+            Some(FLOOR_ELSEWHERE..) => FloorSeen::Elsewhere,
+            Some(FLOOR_OFF..) => FloorSeen::Off,
+            Some(..=FLOOR_IN_PLACE) => FloorSeen::InPlace,
+            _ => FloorSeen::Unknown,
+        }
+    }
+
+    /// Whether what is behind both figures is the same, of which enough is seen.
+    fn has_same_behind(&self, other: &Self) -> bool {
+        let pairs = self.pixels.iter().zip(other.pixels);
+        let behind = pairs.filter(|(a, b)| [**a, **b].map(Part::of) == [Part::Behind; 2]);
+        let (mut bright, mut dark, mut off) = (0, 0, 0);
+        for (a, b) in behind {
+            if a[0] > SQUARES {
+                bright += 1;
+            } else {
+                dark += 1;
+            }
+            off += usize::from(a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > ROUNDING));
+        }
+        bright.min(dark) >= FEWEST_OF_EITHER && off as f64 <= SAME_BEHIND * (bright + dark) as f64
     }
 
     /// Whether the horizon is higher on one side than on the other. Lines of bones and single parts of a figure before it do
@@ -193,14 +259,14 @@ impl FigureIn<'_> {
             .filter(|&row| row > 0)
     }
 
-    /// Whether it is the mesh and not the edge of a line, whose colors are mixed with those behind it.
+    /// Whether it is in the midst of the figure, and not the edge of a line, whose colors are mixed with those behind it.
     fn is_figure(&self, at: usize) -> bool {
-        self.grid.is_solid(at, |at| self.is_mesh(at))
+        self.grid.is_solid(at, |at| self.is_of_figure(at))
     }
 
-    fn meshes(&self) -> usize {
+    fn pixels_of_figure(&self) -> usize {
         (0..self.pixels.len())
-            .filter(|&at| self.is_mesh(at))
+            .filter(|&at| self.is_of_figure(at))
             .count()
     }
 
@@ -254,30 +320,45 @@ impl FigureIn<'_> {
         is_enough.then(|| off as f64 / (bright + dark) as f64)
     }
 
-    /// Places of the figure where `other` has another color or none, and not at an edge alone, by which hang together.
+    /// Places of the figure where `other` has another color or none, and not at an edge alone, by which hang together. Where
+    /// lines are of the figure, so is a limb that is hardly wider than they are.
     fn islands_off(&self, other: &Self) -> Vec<Vec<usize>> {
         let is_off: Vec<bool> = (0..self.pixels.len())
-            .map(|at| self.is_mesh(at) && !other.has_like(self.pixels[at], at))
+            .map(|at| self.is_of_figure(at) && !other.has_like(self.pixels[at], at))
             .collect();
-        self.grid.islands(&is_off)
+        if !self.has_lines_in_figure {
+            return self.grid.islands(&is_off);
+        }
+        let is_all_off = |at: usize| {
+            let mut around = self.grid.around(at).filter(|&at| self.is_of_figure(at));
+            around.all(|at| is_off[at])
+        };
+        let is_no_edge =
+            |at: usize| is_off[at] && (self.grid.is_solid(at, |at| is_off[at]) || is_all_off(at));
+        self.grid.apart((0..is_off.len()).map(is_no_edge).collect())
     }
 
     /// Places in the midst of the figure where `other` has the same.
     fn right(&self, other: &Self) -> Vec<usize> {
         let is_right = |&at: &usize| {
-            self.is_mesh(at) && self.is_figure(at) && other.has_like(self.pixels[at], at)
+            let is_inside = match self.has_lines_in_figure {
+                true => self.is_of_figure(at),
+                false => self.is_mesh(at) && self.is_figure(at),
+            };
+            is_inside && other.has_like(self.pixels[at], at)
         };
         (0..self.pixels.len()).filter(is_right).collect()
     }
 
-    /// Whether a pixel of the figure that is like `pixel`, or a line before it, is at a place or beside it.
+    /// Whether a pixel of the figure that is like `pixel`, or a line that may be before it, is at a place or beside it.
     fn has_like(&self, pixel: [u8; 4], at: usize) -> bool {
         self.grid.around(at).any(|at| {
             let other = self.pixels[at];
-            let mut channels = pixel.iter().zip(other);
+            let is_near = |(a, b): (&u8, u8)| a.abs_diff(b) <= SHADES;
+            let is_alike = || pixel.iter().zip(other).all(is_near);
             match Part::of(other) {
-                Part::Line => true,
-                Part::Mesh => channels.all(|(a, b)| a.abs_diff(b) <= SHADES),
+                Part::Line => !self.has_lines_in_figure || is_alike(),
+                Part::Mesh => is_alike(),
                 Part::Behind => false,
             }
         })

@@ -66,7 +66,7 @@ pub use commands::{
 };
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
-    CompareView, FigureElsewhere, MeshesShown, PageFigure, ShownPicture, course_panels,
+    CompareView, FigureElsewhere, FloorSeen, MeshesShown, PageFigure, ShownPicture, course_panels,
     mannequin_panels, picture_texture,
 };
 pub use mesh_colors::{Legend, MeshColors};

@@ -10,7 +10,7 @@ use editor_core::geometry::Picture;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
-use editor_core::scene::{Camera, Look, ShapeColor};
+use editor_core::scene::{Camera, CurveDisplay, Look, ShapeColor, SurfaceVisibility};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings, course_panels};
 use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
@@ -545,6 +545,35 @@ fn a_limb_and_shapes_are_told_though_together_they_are_half_of_what_is_drawn() {
             "{:?}",
             texts(&story)
         );
+    }
+}
+
+#[test]
+fn a_surface_that_is_shown_as_a_wireframe_is_not_said_to_be_moved_for_sure() {
+    for look in [Look::Course, Look::Studio] {
+        let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
+        show_in(&mut story, look);
+        let goblet = story.session().scene().shapes()[1].id;
+        let shown = |story: &mut Story, surface| {
+            let curve = story.session().scene().curve(goblet).expect("a surface");
+            let display = CurveDisplay {
+                surface,
+                ..curve.display
+            };
+            let edit = Edit::SetCurveDisplay(goblet, display);
+            story.program.session_mut().edit(edit).unwrap();
+            story.settle();
+        };
+        shown(&mut story, SurfaceVisibility::WireframeWithNormals);
+        keep_picture(&mut story, (900, 700));
+        shown(&mut story, SurfaceVisibility::Shaded);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        let near = told.iter().find(|text| text.starts_with("Near Goblet"));
+        let near = near.unwrap_or_else(|| panic!("{told:?}"));
+        assert!(near.contains("Surface Visibility"), "{look:?} {near}");
     }
 }
 
@@ -1201,6 +1230,76 @@ fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() 
     }
 }
 
+/// The Virtual Mannequin's robot in its look, which was changed after a picture of it was kept that it is compared with.
+fn robot_changed_beside_its_picture(change: impl FnOnce(&mut Story)) -> Option<Story> {
+    let robot = reference("mannequin/robot.dae")?;
+    let mut host = MemoryHost::default();
+    host.files
+        .insert("robot.dae".into(), std::fs::read(robot).unwrap());
+    let mut story = Story::start_at(host, &["robot.dae"]);
+    show_in(&mut story, Look::Mannequin);
+    keep_picture(&mut story, (800, 600));
+    change(&mut story);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    assert_eq!(story.session().view().look, Look::Mannequin);
+    Some(story)
+}
+
+#[test]
+fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
+    let elbow = ("forearm.L", Vec3::Z * 40.0);
+    for turned in [
+        [elbow, ("shin.R", Vec3::X * 30.0)],
+        [elbow, ("head", Vec3::Y * 30.0)],
+    ] {
+        let story = robot_changed_beside_its_picture(|story| {
+            let skeleton = story.character().character.skeleton().clone();
+            let mut pose = story.character().pose().clone();
+            for (joint, degrees) in turned {
+                let joint = Pose::find_joint(&skeleton, joint).unwrap();
+                pose.set_joint_transform(joint, Euler::from_degrees(degrees));
+            }
+            let edit = Edit::SetPose(story.shape().id, pose);
+            story.program.session_mut().edit(edit).unwrap();
+            story.settle();
+        });
+        let Some(story) = story else { return };
+        let told = texts(&story);
+        for (joint, _) in turned {
+            assert!(has_text(&story, &format!("Near {joint},")), "{told:?}");
+        }
+        let near = told.iter().filter(|text| text.starts_with("Near "));
+        assert_eq!(near.count(), turned.len(), "{told:?}");
+        // It is no screenshot of the page, nor is the camera elsewhere.
+        assert!(!told.iter().any(|text| text.contains("page")), "{told:?}");
+    }
+}
+
+#[test]
+fn a_floor_that_is_elsewhere_tells_of_another_camera_and_no_joint_is_blamed() {
+    for (around, above) in [(15_f32, 0_f32), (0.0, 15.0), (5.0, 0.0)] {
+        let story = robot_changed_beside_its_picture(|story| {
+            let here = story.session().view().camera;
+            let turned = Camera {
+                theta: here.theta + around.to_radians(),
+                phi: here.phi + above.to_radians(),
+                ..here
+            };
+            let seen = vec![Action::View(View::SetCamera(turned))];
+            story.program.carry_out(seen, &mut story.host);
+        });
+        let Some(story) = story else { return };
+        let told = texts(&story);
+        assert!(
+            has_text(&story, "A is seen by another camera than B: its floor is"),
+            "{told:?}"
+        );
+        assert!(!has_text(&story, "Near "), "{told:?}");
+    }
+}
+
 #[test]
 fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges() {
     let Some(mut story) = robot_beside("robot_start_camera") else {
@@ -1432,6 +1531,8 @@ fn a_camera_that_is_turned_is_told_and_no_joint_is_blamed() {
     for (files, look, around, above) in [
         (&["builtin:adult"][..], Look::Course, -12.0, 0.0),
         (&["builtin:adult"], Look::Course, 8.0, 6.0),
+        // So much that all of the outline differs.
+        (&["builtin:adult"], Look::Course, 20.0, 15.0),
         (&["builtin:adult"], Look::Studio, -14.0, 0.0),
         (&["builtin:robot", "builtin:dog"], Look::Course, -12.0, 0.0),
         (&["builtin:robot", "builtin:dog"], Look::Studio, 8.0, 6.0),

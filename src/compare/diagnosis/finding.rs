@@ -205,9 +205,9 @@ impl Finding {
         }
     }
 
-    /// The same where it is known that both pictures have one camera, so that it is not told as a cause.
+    /// The same without the camera as a possible cause, where it is known whether both pictures have one.
     #[must_use]
-    pub fn with_one_camera(mut self) -> Self {
+    pub fn without_camera(mut self) -> Self {
         match &mut self {
             Self::Outline { everywhere, .. } => *everywhere = false,
             Self::Shading { outlines_cross, .. } => *outlines_cross = false,

@@ -107,6 +107,7 @@ mod tests {
             right: Vec::new(),
             apart: 3,
             has_outline: true,
+            is_camera_right: false,
         };
         let sizes = [Some(400), None];
         let found = |off: &FigureOff| without_absent(theirs.iter().copied(), &sizes, off);

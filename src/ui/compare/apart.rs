@@ -11,13 +11,26 @@ use crate::editor::Session;
 use crate::revision::Revision;
 use crate::scene::Camera;
 
+/// What is told of a camera that the floor alone shows to be another one.
+const FLOOR_ELSEWHERE: &str = "A is seen by another camera than B: its floor is elsewhere as well.";
+
+/// What a place in which pictures differ tells of the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CameraTold {
+    /// It is right, for a part of the scene differs.
+    Right,
+    /// The other picture has another one.
+    Other,
+    /// It may be either.
+    Unknown,
+}
+
 /// A place in which pictures differ.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
     pub told: String,
     pub area: Area,
-    /// Whether it is a part of the scene, so that the camera is right.
-    pub is_part: bool,
+    pub camera: CameraTold,
     /// What else may be behind it, in a sentence.
     pub instead: Option<String>,
 }
@@ -70,6 +83,26 @@ impl KeptPlaces {
         })
     }
 
+    /// All of the figure, which is known to be seen by another camera, with how that differs if it is found.
+    pub(super) fn seen_elsewhere(
+        &mut self,
+        session: &Session,
+        compare: &CompareView,
+        off: &FigureOff,
+        elsewhere: impl FnOnce() -> Option<Place>,
+    ) -> Vec<Place> {
+        self.get(session, compare, off, || {
+            let by_outline = || seen_by_other_camera(session, off, compare.size());
+            let all = elsewhere().or_else(by_outline).unwrap_or_else(|| Place {
+                told: FLOOR_ELSEWHERE.to_owned(),
+                area: off.area,
+                camera: CameraTold::Other,
+                instead: None,
+            });
+            vec![all]
+        })
+    }
+
     /// The places apart from one another in which what is drawn differs, which has `figure` round it: parts of the scene, or
     /// else where a bone is near, or where they lie in the figure. None if there are too many.
     pub(super) fn apart(
@@ -96,7 +129,7 @@ fn parts_or_all(
         all: parts,
         is_shape_still,
     } = parts(session, off, size);
-    let by_other_camera = || match is_shape_still {
+    let by_other_camera = || match is_shape_still || off.is_camera_right {
         true => None,
         false => seen_by_other_camera(session, off, size),
     };
@@ -117,7 +150,7 @@ fn seen_by_other_camera(session: &Session, off: &FigureOff, size: (u32, u32)) ->
     Some(Place {
         told: seen_from_elsewhere(&camera),
         area: off.area,
-        is_part: false,
+        camera: CameraTold::Other,
         instead: None,
     })
 }
@@ -134,7 +167,7 @@ fn places_of(parts: Vec<Part>) -> Vec<Place> {
         Place {
             told,
             area: part.area,
-            is_part: true,
+            camera: CameraTold::Right,
             instead,
         }
     });
@@ -147,7 +180,11 @@ fn in_words(how: How) -> &'static str {
         How::Color => "its outline agrees, so that its color or light differs",
         How::ColorAndMore => "its color or light differs, and a part of its outline",
         How::Place => "it is moved, turned or scaled",
+        How::PlaceOrLines => {
+            "it is moved, turned or scaled, or Surface Visibility shows it otherwise"
+        }
         How::Missing => "A shows nothing in its place",
+        How::MissingOrLines => "A shows nothing in its place, or no more than lines",
     }
 }
 
@@ -175,7 +212,7 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
         Place {
             told,
             area,
-            is_part: false,
+            camera: CameraTold::Unknown,
             instead: None,
         }
     });
@@ -188,7 +225,7 @@ fn elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Pla
     Some(Place {
         told: placed_elsewhere(&placement, within, false),
         area: off.area,
-        is_part: false,
+        camera: CameraTold::Unknown,
         instead: None,
     })
 }
@@ -237,6 +274,7 @@ mod tests {
             right,
             apart: 3,
             has_outline: true,
+            is_camera_right: false,
         };
         let told = |elsewhere: Option<Place>| -> Vec<String> {
             let places = parts_or_all(&session, &off, size, || elsewhere).into_iter();
@@ -245,7 +283,7 @@ mod tests {
         let larger = Place {
             told: "Larger".to_owned(),
             area: off.area,
-            is_part: false,
+            camera: CameraTold::Unknown,
             instead: None,
         };
         assert_eq!(told(Some(larger)), ["Larger"]);

@@ -1,7 +1,7 @@
 //! What is wrong with a picture, in words, with the places that are outlined.
 
 use super::CompareView;
-use super::apart::{KeptPlaces, Place};
+use super::apart::{CameraTold, KeptPlaces, Place};
 use super::hints::{self, hints};
 use super::outlined::Outlined;
 use super::page_figure::{self, FigureTold};
@@ -78,7 +78,7 @@ pub(super) fn findings(
         let of_page = of_page.as_ref().filter(|_| look == Look::Mannequin);
         let [first, last] = [true, false].map(|is_first| {
             let figure = of_page.filter(|figure| figure.is_elsewhere == is_first);
-            figure.map(FigureTold::hint)
+            figure.and_then(FigureTold::hint)
         });
         let is_slanted = report
             .page_figure
@@ -93,11 +93,14 @@ pub(super) fn findings(
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
-                let is_camera_right = apart.iter().any(|place| place.is_part);
+                let is_told = |camera| apart.iter().any(|place| place.camera == camera);
+                let is_camera_right = is_told(CameraTold::Right);
+                // Where another one is found, the place says so.
+                let is_camera_known = is_camera_right || is_told(CameraTold::Other);
                 let findings = judgment.findings.iter().cloned();
                 let findings: Vec<Finding> = findings
-                    .map(|finding| match is_camera_right {
-                        true => finding.with_one_camera(),
+                    .map(|finding| match is_camera_known {
+                        true => finding.without_camera(),
                         false => finding,
                     })
                     .collect();

@@ -3,7 +3,7 @@
 use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
 use super::elsewhere::is_elsewhere;
 use super::owned::Owned;
-use super::turned::{Instead, Turned, above, turned};
+use super::turned::{Covered, Instead, Turned, above, turned};
 use crate::compare::FigureOff;
 use crate::editor::Session;
 use crate::math::distance_from_segment;
@@ -89,17 +89,19 @@ pub(super) fn limbs<'a>(
     off: &FigureOff,
     pixels: [&[Vec2]; 2],
     size: Vec2,
+    covered: Covered,
 ) -> Limbs<'a> {
     let owned = Owned::new(session, pixels, size);
     let characters = characters_seen(session, size).into_iter();
     let characters = characters.map(|character| {
         let scale = scale(&character, size.y);
-        let turned = turned(&character, pixels, &owned, (size, scale));
+        let turned = turned(&character, pixels, &owned, (size, scale), covered);
         (character, scale, turned)
     });
     let characters: Vec<_> = characters.collect();
     let mut turned = characters.iter().map(|(.., turned)| turned);
-    let is_camera_right = owned.has_still() || turned.any(Turned::is_none_of_known);
+    let is_camera_right =
+        off.is_camera_right || owned.has_still() || turned.any(Turned::is_none_of_known);
     let mut limbs = Limbs {
         all: Vec::new(),
         trunks: Vec::new(),

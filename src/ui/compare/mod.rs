@@ -112,12 +112,37 @@ pub struct PageFigure {
     pub area: Area,
     /// Whether the camera of the screenshot was rolled, so that no view from a level one matches it.
     pub is_slanted: bool,
-    /// Whether the floor near the eye differs by more than the page's noise.
-    pub is_floor_off: bool,
+    /// How the floors agree.
+    pub floor: FloorSeen,
     /// What differs of it; `None` if the figures agree.
     pub off: Option<FigureOff>,
     /// Where all of it is in the live view, if it is elsewhere.
     pub elsewhere: Option<FigureElsewhere>,
+}
+
+/// What the floors in two pictures of the Virtual Mannequin's look tell of their cameras.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FloorSeen {
+    /// What is behind the figures is the same in both, without any noise: so is the camera.
+    Same,
+    /// They agree but for the page's noise, and so do the cameras.
+    InPlace,
+    /// Too little of them is seen, or they differ by hardly more than noise.
+    Unknown,
+    /// They differ by more than noise near the eye, as where the camera is turned a little.
+    Off,
+    /// They differ by so much that it is another camera.
+    Elsewhere,
+}
+
+impl FloorSeen {
+    /// Whether the camera is the same.
+    pub fn is_in_place(self) -> bool {
+        match self {
+            Self::Same | Self::InPlace => true,
+            Self::Unknown | Self::Off | Self::Elsewhere => false,
+        }
+    }
 }
 
 /// Where a figure is that stands elsewhere in the live view.

@@ -1,8 +1,8 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
-use super::apart::{KeptPlaces, Place};
+use super::apart::{CameraTold, KeptPlaces, Place};
 use super::place::{MUCH, place, placed_elsewhere};
-use super::{CompareView, PageFigure};
+use super::{CompareView, FloorSeen, PageFigure};
 use crate::compare::sentence;
 use crate::editor::Session;
 
@@ -42,8 +42,8 @@ pub(super) struct FigureTold {
     pub is_elsewhere: bool,
     /// Whether it is sure that the other picture is of the page.
     is_sure: bool,
-    /// Whether the floor differs by more than noise.
-    is_floor_off: bool,
+    /// How the floors agree.
+    floor: FloorSeen,
 }
 
 impl FigureTold {
@@ -53,27 +53,36 @@ impl FigureTold {
         figure: &PageFigure,
         kept: &mut KeptPlaces,
     ) -> Self {
-        let (is_sure, is_floor_off) = (compare.is_cut, figure.is_floor_off);
+        let (is_sure, floor) = (compare.is_cut, figure.floor);
         let Some(off) = &figure.off else {
             return Self {
                 places: Vec::new(),
                 is_elsewhere: false,
                 is_sure,
-                is_floor_off,
+                floor,
             };
         };
         let area = off.area;
-        let places = kept.of_figure(session, compare, off, || {
+        let elsewhere = || {
             let elsewhere = figure.elsewhere.as_ref()?;
             Some(Place {
                 told: placed_elsewhere(&elsewhere.placement, 1, elsewhere.is_floor_right),
                 area,
-                is_part: elsewhere.is_floor_right,
+                camera: match elsewhere.is_floor_right {
+                    true => CameraTold::Right,
+                    false => CameraTold::Unknown,
+                },
                 instead: None,
             })
-        });
+        };
+        let places = match floor {
+            // Whatever differs besides, it is seen by another camera.
+            FloorSeen::Elsewhere => kept.seen_elsewhere(session, compare, off, elsewhere),
+            _ => kept.of_figure(session, compare, off, elsewhere),
+        };
         // Whatever bone is nearest, of so much of a figure the camera is to blame rather than a joint.
         let is_much = area.share_of(figure.area) >= MUCH;
+        let may_be_camera = !floor.is_in_place();
         if places.is_empty() {
             let told = match is_much {
                 true => sentence(&area.place_in(figure.area)),
@@ -83,31 +92,36 @@ impl FigureTold {
                 places: vec![Place {
                     told,
                     area,
-                    is_part: false,
+                    camera: CameraTold::Unknown,
                     instead: None,
                 }],
-                is_elsewhere: is_much,
+                is_elsewhere: is_much && may_be_camera,
                 is_sure,
-                is_floor_off,
+                floor,
             };
         }
         let elsewhere = figure.elsewhere.as_ref();
         let is_only_moved = elsewhere.is_some_and(|elsewhere| elsewhere.is_only_moved);
-        let are_parts = places.iter().any(|place| place.is_part);
+        let are_parts = places.iter().any(|place| place.camera == CameraTold::Right);
+        let is_by_outline = is_much && !are_parts && (is_sure || !is_only_moved);
         Self {
             places,
-            is_elsewhere: is_much && !are_parts && (is_sure || !is_only_moved),
+            is_elsewhere: may_be_camera && (is_by_outline || floor == FloorSeen::Elsewhere),
             is_sure,
-            is_floor_off,
+            floor,
         }
     }
 
-    /// What to do, or to know.
-    pub(super) fn hint(&self) -> &'static str {
-        if self.is_sure && self.is_floor_off && self.places.is_empty() {
-            return FLOOR;
+    /// What to do, or to know, unless the other picture is one of this program's own from the same camera.
+    pub(super) fn hint(&self) -> Option<&'static str> {
+        match self.floor {
+            FloorSeen::Same if !self.is_sure => return None,
+            FloorSeen::Off | FloorSeen::Elsewhere if self.is_sure && self.places.is_empty() => {
+                return Some(FLOOR);
+            }
+            _ => {}
         }
         let hints = if self.is_elsewhere { ELSEWHERE } else { ALWAYS };
-        hints[usize::from(!self.is_sure)]
+        Some(hints[usize::from(!self.is_sure)])
     }
 }

@@ -6,6 +6,7 @@ use super::clusters::{fill_an_area, without_strays};
 use super::limbs::{Body, Limb, Limbs, limbs};
 use super::owned::Owned;
 use super::shapes_seen::{ShapeSeen, shapes_seen};
+use super::turned::Covered;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use crate::scene::ShapeId;
@@ -58,8 +59,12 @@ pub(super) enum How {
     ColorAndMore,
     /// It covers something else.
     Place,
+    /// The same of a surface, which may be shown as lines in one of the pictures.
+    PlaceOrLines,
     /// The other picture has nothing there.
     Missing,
+    /// The same of a surface, of which single lines count as nothing.
+    MissingOrLines,
 }
 
 /// Share of the pixels that a shape covers in both pictures from which on it is where it should be, …
@@ -100,16 +105,37 @@ fn share_of_both(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> f64 {
 /// Share of what it covers that the other picture shows something at which has nothing there.
 const NOTHING: f64 = 0.02;
 
-/// How a shape differs that is off at these pixels of the live view, and at those of the other picture.
-fn how([ours, theirs]: &[Vec<(u32, u32)>; 2]) -> Option<How> {
-    if (theirs.len() as f64) < NOTHING * ours.len() as f64 {
-        return Some(How::Missing);
-    }
-    match share_of_both(ours, theirs) {
-        SAME_PLACE.. => Some(How::Color),
-        ..=OTHER_PLACE => Some(How::Place),
-        _ => None,
-    }
+/// How a shape differs, which may be a curve, that is off at these pixels of the live view, and at those of the other picture.
+fn how([ours, theirs]: &[Vec<(u32, u32)>; 2], is_curve: bool) -> Option<How> {
+    let how = match share_of_both(ours, theirs) {
+        _ if (theirs.len() as f64) < NOTHING * ours.len() as f64 => How::Missing,
+        SAME_PLACE.. => How::Color,
+        ..=OTHER_PLACE => How::Place,
+        _ => return None,
+    };
+    Some(match how {
+        How::Missing if is_curve => How::MissingOrLines,
+        How::Place if is_curve && have_one_middle(ours, theirs) => How::PlaceOrLines,
+        how => how,
+    })
+}
+
+/// How far apart the middles of two areas are at most that are about the same, by their sides: of a goblet as a wireframe with
+/// normals it was 0.02.
+const ONE_MIDDLE: f32 = 0.05;
+
+/// Whether the areas round pixels lie about the same middle, as where a shape stays where it is.
+fn have_one_middle(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> bool {
+    let areas = [ours, theirs].map(|pixels| Area::around(pixels.iter().copied()));
+    let [Some(ours), Some(theirs)] = areas else {
+        return false;
+    };
+    let [size, of_theirs] =
+        [ours, theirs].map(|area| Vec2::new(area.width as f32, area.height as f32));
+    let [corner, corner_of_theirs] =
+        [ours, theirs].map(|area| Vec2::new(area.x as f32, area.y as f32));
+    let apart = corner + 0.5 * size - corner_of_theirs - 0.5 * of_theirs;
+    apart.abs().cmple(ONE_MIDDLE * size).all()
 }
 
 /// What may be a part.
@@ -145,7 +171,7 @@ impl Seen<'_> {
             Self::Shape(shape) => {
                 let kind = match shape.is_character {
                     true => Kind::Character(how_of_character(shape.id, owned, pixels)),
-                    false => Kind::Shape(how(pixels)),
+                    false => Kind::Shape(how(pixels, shape.is_curve)),
                 };
                 (shape.name.to_owned(), kind)
             }
@@ -169,11 +195,19 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Par
     let pixels = [&off.ours, &off.theirs, &off.right]
         .map(|all| -> Vec<Vec2> { all.iter().map(at).collect() });
     let [ours, _, right] = &pixels;
-    let limbs = limbs(session, off, [ours, right], size);
-    Parts {
-        is_shape_still: limbs.owned.has_still_shape(),
-        all: parts_with(limbs, session, off, &pixels, size),
+    let parts = |covered| {
+        let limbs = limbs(session, off, [ours, right], size, covered);
+        Parts {
+            is_shape_still: limbs.owned.has_still_shape(),
+            all: parts_with(limbs, session, off, &pixels, size),
+        }
+    };
+    let strict = parts(Covered::Maybe);
+    // What is off is of parts where no camera is.
+    if strict.all.is_empty() && off.is_camera_right {
+        return parts(Covered::Not);
     }
+    strict
 }
 
 /// The same where limbs are known, and the pixels of `off` as points.
@@ -371,6 +405,7 @@ mod tests {
             right: aside,
             apart: 3,
             has_outline: true,
+            is_camera_right: false,
         };
         let parts: Vec<_> = parts(&session, &off, size)
             .all

@@ -1,7 +1,7 @@
 //! Shapes in view, as they lie in its picture.
 
 use crate::editor::Session;
-use crate::scene::{Camera, EvaluatedShape, ShapeId};
+use crate::scene::{Camera, EvaluatedShape, ShapeId, ShapeKind};
 use glam::Vec2;
 
 /// Pixels in the box around a shape of which it is found out whether the shape is there, …
@@ -14,6 +14,8 @@ pub(super) struct ShapeSeen<'a> {
     pub id: ShapeId,
     pub name: &'a str,
     pub is_character: bool,
+    /// Whether it is a curve or its surface, which may be drawn as lines.
+    pub is_curve: bool,
     evaluated: &'a EvaluatedShape,
     pub least: Vec2,
     pub most: Vec2,
@@ -60,6 +62,7 @@ pub(super) fn shapes_seen<'a>(
             id: shape.id,
             name: &shape.name,
             is_character,
+            is_curve: matches!(shape.kind, ShapeKind::Curve(_)),
             evaluated,
             least,
             most,

@@ -22,6 +22,15 @@ const RIGHT_BELOW: f32 = 0.4;
 /// Length of a bone, by the longest one of the figure, below which it is inside of the limb that hangs on it, as at hips.
 const SHORT: f32 = 0.25;
 
+/// Whether a joint that nothing hangs on may be covered by what was elsewhere, where less of its mesh is off than of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Covered {
+    /// So that it is not known to be turned.
+    Maybe,
+    /// It is turned, since turned limbs do not explain all.
+    Not,
+}
+
 /// What differs of a bone.
 struct Told<'a> {
     bone: &'a BoneSeen,
@@ -33,13 +42,14 @@ struct Told<'a> {
 }
 
 impl<'a> Told<'a> {
-    /// What is told by this share of the mesh of the bone's joint that is off.
-    fn by_mesh(bone: &'a BoneSeen, off: f32) -> Self {
+    /// What is told by this share of the mesh of the bone's joint that is off, of which what was elsewhere covers less than
+    /// `most_covered`.
+    fn by_mesh(bone: &'a BoneSeen, off: f32, most_covered: f32) -> Self {
         Self {
             bone,
             is_off: off >= MESH_IS_OFF,
             is_right: off < MESH_IS_OFF,
-            is_off_by_itself: off >= IS_OFF,
+            is_off_by_itself: off >= most_covered,
         }
     }
 
@@ -118,14 +128,19 @@ pub(super) fn turned(
     pixels: [&[Vec2]; 2],
     owned: &Owned,
     (size, scale): (Vec2, f32),
+    covered: Covered,
 ) -> Turned {
+    let most_covered = match covered {
+        Covered::Maybe => IS_OFF,
+        Covered::Not => MESH_IS_OFF,
+    };
     let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
     let reach = AT_BONE * scale;
     let parent = |joint: usize| character.joints[joint].parent;
     let told = character.bones.iter().map(|bone| {
         let (shape, joint) = (character.shape, bone.joint);
         match owned.of(shape, joint) {
-            Ownership::Off(share) => Told::by_mesh(bone, share),
+            Ownership::Off(share) => Told::by_mesh(bone, share, most_covered),
             // Where it is seen, and not hidden, the one above may move more.
             Ownership::Little if is_last(character, joint) => {
                 Told::by_line(bone, &maps, reach, |at| {
