@@ -23,8 +23,8 @@ impl Program {
         let studio = Backdrop::of_studio(&reference);
         let of_page = view_of_page(&reference);
         let is_cut = of_page.is_some();
-        let is_in_look = before == Look::Mannequin && shows_floor_of_page(&reference);
-        let is_page = is_cut || has_sky_of_page(&reference) || is_in_look;
+        let is_in_look = || before == Look::Mannequin && shows_floor_of_page(&reference);
+        let is_page = is_cut || has_sky_of_page(&reference) || studio.is_none() && is_in_look();
         let look = match (studio, before) {
             _ if is_page => Look::Mannequin,
             (Some(_), _) => Look::Studio,

@@ -23,6 +23,8 @@ const HALF_A_LINE: usize = 3;
 const NEAR: usize = 4;
 /// How far the brightness of squares of the floor is apart.
 const SQUARES: u8 = 64;
+/// Brightness below which a square is black: the course's background has 26.
+const BLACK: u8 = 16;
 /// Fewest pixels of either color of the floor's squares that tell where it is.
 const FEWEST_OF_EITHER: usize = 500;
 /// Share of it that differs where the camera is turned: by the page's noise 0.017 does, and by 3 degrees, of which the figure
@@ -113,10 +115,18 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
     })
 }
 
-/// Whether a picture shows the page's floor near the eye, in both colors of its squares.
+/// Whether a picture shows the page's floor near the eye, in both colors of its squares. No other background is as black.
 pub(super) fn shows_floor_of_page(picture: &Picture) -> bool {
     let figure = FigureIn::new(picture);
-    figure.floor_off(&figure, STANDING).is_some()
+    let PixelGrid { width, height } = figure.grid;
+    let near = &figure.pixels[width * (height - height / NEAR)..];
+    let count = |is_such: &dyn Fn(u8) -> bool| {
+        let such = near.iter().filter(|pixel| is_such(pixel[0]));
+        such.filter(|pixel| Part::of(**pixel) == Part::Behind)
+            .count()
+    };
+    let [black, bright] = [count(&|gray| gray < BLACK), count(&|gray| gray > SQUARES)];
+    black.min(bright) >= FEWEST_OF_EITHER
 }
 
 /// How the outline of the figure in `page` is placed in `ours`, if it is there and elsewhere.

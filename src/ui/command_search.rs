@@ -1,4 +1,4 @@
-//! Help ▸ Find Command: every command by its name, with its key.
+//! Help ▸ Find Command: every command by its name, with its key, and every built-in character and curve.
 
 use super::commands::{
     COMMANDS, Command, Entry, full_label, full_tooltip, in_words, key_now, run, why_disabled,
@@ -7,7 +7,7 @@ use super::elsewhere::elsewhere;
 use super::key_commands::{is_there, refused_of_bone};
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
-use super::{Action, ViewInput};
+use super::{Action, Ask, ViewInput};
 use crate::editor::{Session, View};
 use crate::scene::name_of_import;
 use egui::{
@@ -21,6 +21,10 @@ pub(super) struct CommandSearch {
     text: String,
     row: usize,
 }
+
+/// Tooltip of a built-in file.
+pub(super) const BUILTIN_TIP: &str =
+    "Add it at the origin, or beside the characters that are there";
 
 /// Width and greatest height of the list, in points.
 const WIDTH: f32 = 420.0;
@@ -52,23 +56,52 @@ pub(super) fn show(
         contents(ui, session, state, input, &mut search)
     });
     match shown.inner {
-        Some(command) => match refused_of_bone(command, session, state) {
+        Some(Row::Command(entry)) => match refused_of_bone(entry.command, session, state) {
             Some(why) => actions.push(Action::View(View::Tell(why.into()))),
-            None => actions.extend(run(command, session, state, aspect)),
+            None => actions.extend(run(entry.command, session, state, aspect)),
         },
+        Some(Row::Builtin { name, .. }) => actions.push(Action::Ask(Ask::InsertBuiltin(name))),
         None if shown.should_close() => {}
         None => state.search = Some(search),
     }
 }
 
-/// The field and the list; the command that is to be run.
+/// What is found.
+#[derive(Clone, Copy, Debug)]
+enum Row {
+    Command(&'static Entry),
+    /// A built-in file that can be inserted.
+    Builtin {
+        name: &'static str,
+        /// Submenu of *Insert* that has it.
+        menu: &'static str,
+    },
+}
+
+impl Row {
+    fn why_disabled(self, session: &Session, state: &UiState) -> Option<&'static str> {
+        match self {
+            Self::Command(entry) => why_disabled(entry.command, session, state),
+            Self::Builtin { .. } => None,
+        }
+    }
+
+    fn label(self, session: &Session, state: &UiState) -> String {
+        match self {
+            Self::Command(entry) => name(entry, session, state),
+            Self::Builtin { name, menu } => format!("{menu}: {}", name_of_import(name)),
+        }
+    }
+}
+
+/// The field and the list; what is to be run or inserted.
 fn contents(
     ui: &mut Ui,
     session: &Session,
     state: &UiState,
     input: &ViewInput,
     search: &mut CommandSearch,
-) -> Option<Command> {
+) -> Option<Row> {
     let (up, down, enter) = ui.input_mut(|i| {
         let mut pressed = |key| i.consume_key(Modifiers::NONE, key);
         (
@@ -84,18 +117,9 @@ fn contents(
     if field.changed() {
         search.row = 0;
     }
-    let mut found = found(&search.text);
-    found.retain(|(_, entry)| is_there(entry.command, input));
-    if !search.text.is_empty() {
-        // What can be done now comes first among those that fit as well.
-        let is_disabled = |entry: &Entry| why_disabled(entry.command, session, state).is_some();
-        found.sort_by_key(|&(fit, entry)| (fit, is_disabled(entry)));
-    }
-    let found: Vec<&Entry> = found.into_iter().map(|(_, entry)| entry).collect();
+    let found = rows(&search.text, session, state, input);
     let nothing = found.is_empty().then_some("No command has these words.");
-    let told = elsewhere(&search.text).map(str::to_owned);
-    let told = told.or_else(|| builtin_file(&search.text, input));
-    if let Some(told) = told.or(nothing.map(str::to_owned)) {
+    if let Some(told) = elsewhere(&search.text).or(nothing) {
         ui.label(RichText::new(told).weak());
     }
     if found.is_empty() {
@@ -107,50 +131,72 @@ fn contents(
         (_, true) => (search.row + 1).min(last),
         _ => search.row.min(last),
     };
-    let why_not = why_disabled(found[search.row].command, session, state);
+    let why_not = found[search.row].why_disabled(session, state);
     let mut chosen = (enter && why_not.is_none()).then_some(found[search.row]);
     let tallest = TALLEST.min(room(ui).y);
     // What is left is only as high as the list was in the last frame, with fewer rows perhaps.
     let list = ScrollArea::vertical().max_height(tallest);
     list.min_scrolled_height(tallest).show(ui, |ui| {
-        for (row, entry) in found.iter().enumerate() {
-            let why = why_disabled(entry.command, session, state);
-            let name = name(entry, session, state);
+        for (number, &row) in found.iter().enumerate() {
+            let why = row.why_disabled(session, state);
+            let name = row.label(session, state);
             let (navigation, tool) = (state.navigation, state.pose.tool);
-            let key = key_now(ui.ctx(), navigation, (entry, entry.command), session, tool);
-            let button = Button::selectable(row == search.row, &name)
+            let (key, tip) = match row {
+                Row::Command(entry) => (
+                    key_now(ui.ctx(), navigation, (entry, entry.command), session, tool),
+                    full_tooltip(entry, session, state),
+                ),
+                Row::Builtin { .. } => (String::new(), BUILTIN_TIP),
+            };
+            let button = Button::selectable(number == search.row, &name)
                 .shortcut_text(key)
                 .min_size(vec2(ui.available_width(), 0.0));
             let item = named(ui.add_enabled(why.is_none(), button), &name);
-            tip_beside(&item, full_tooltip(entry, session, state), why);
-            if row == search.row && (up || down) {
+            tip_beside(&item, tip, why);
+            if number == search.row && (up || down) {
                 item.scroll_to_me(None);
             }
             if item.clicked() {
-                chosen = Some(entry);
+                chosen = Some(row);
             }
         }
     });
     if let Some(why) = why_not {
         ui.label(RichText::new(format!("{why}.")).weak());
     }
-    chosen.map(|entry| entry.command)
+    chosen
 }
 
-/// Where the built-in character or curve is inserted that is searched for by the beginning of its name.
-fn builtin_file(words: &str, input: &ViewInput) -> Option<String> {
-    let words = plain(words.trim());
+/// What fits the words: built-in files that are named so, then commands, and then built-in files that the words only tell the
+/// kind of.
+fn rows(words: &str, session: &Session, state: &UiState, input: &ViewInput) -> Vec<Row> {
+    let mut found = found(words);
+    found.retain(|(_, entry)| is_there(entry.command, input));
+    if words.is_empty() {
+        return found
+            .into_iter()
+            .map(|(_, entry)| Row::Command(entry))
+            .collect();
+    }
+    // What can be done now comes first among those that fit as well.
+    let is_disabled = |entry: &Entry| why_disabled(entry.command, session, state).is_some();
+    found.sort_by_key(|&(fit, entry)| (fit, is_disabled(entry)));
     let kinds = [
         (input.builtin_characters, "Built-in Character"),
         (input.builtin_curves, "Built-in Curve"),
     ];
-    let mut named = kinds.into_iter().flat_map(|(names, menu)| {
-        let names = names.iter().map(|name| name_of_import(name));
-        names.map(move |name| (name, menu))
+    let all = kinds.into_iter().flat_map(|(names, menu)| {
+        let names = names.iter();
+        names.map(move |&name| Row::Builtin { name, menu })
     });
-    let is_meant = |name: &str| words.chars().count() > 2 && plain(name).starts_with(&words);
-    let (name, menu) = named.find(|(name, _)| is_meant(name))?;
-    Some(format!("{name} is in Insert ⏵ {menu}."))
+    let fits = |row: &Row| has_all(&row.label(session, state), words);
+    let is_named = |row: &Row| match row {
+        Row::Builtin { name, .. } => has_all(name, words),
+        Row::Command(_) => false,
+    };
+    let (named, of_kind): (Vec<Row>, Vec<Row>) = all.filter(fits).partition(is_named);
+    let commands = found.into_iter().map(|(_, entry)| Row::Command(entry));
+    named.into_iter().chain(commands).chain(of_kind).collect()
 }
 
 /// A command as the list names it: with its menu where that says what it is, and with what it is about.
@@ -177,11 +223,7 @@ enum Fit {
 /// Commands whose label, other names and tooltip have all the words, in any order; those whose label has
 /// them come first, then those whose other names have them.
 fn found(words: &str) -> Vec<(Fit, &'static Entry)> {
-    let words = plain(words);
-    let all_in = |text: &str| {
-        let text = plain(text);
-        words.split_whitespace().all(|word| text.contains(word))
-    };
+    let all_in = |text: &str| has_all(text, words);
     let fit = |entry: &Entry| {
         let label = in_words(entry);
         let named = format!("{label} {}", entry.also);
@@ -201,6 +243,12 @@ fn found(words: &str) -> Vec<(Fit, &'static Entry)> {
     let mut found: Vec<(Fit, &Entry)> = fitting.collect();
     found.sort_by_key(|(fit, _)| *fit);
     found
+}
+
+/// Whether a text has all the words, in any order.
+fn has_all(text: &str, words: &str) -> bool {
+    let (text, words) = (plain(text), plain(words));
+    words.split_whitespace().all(|word| text.contains(word))
 }
 
 /// In small letters and without accents, which not every keyboard has: Bézier's is the only one.

@@ -1,3 +1,4 @@
+use super::command_search::BUILTIN_TIP;
 use super::commands::{Command, Entry, Menu, full_label, full_tooltip, is_on, run, why_disabled};
 use super::context_menu::OpenMenu;
 use super::key_commands::is_there;
@@ -247,11 +248,7 @@ impl Items<'_> {
         submenu(ui, label, |ui| {
             for &name in names {
                 let item = ui.button(name_of_import(name));
-                tip_beside(
-                    &item,
-                    "Add it at the origin, or beside the characters that are there",
-                    None,
-                );
+                tip_beside(&item, BUILTIN_TIP, None);
                 if menu_keys::is_chosen(ui, &item, false) {
                     self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
                 }

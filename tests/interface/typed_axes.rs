@@ -167,6 +167,26 @@ fn a_drag_along_a_shapes_own_axes_tells_how_far_it_has_moved_along_these() {
 }
 
 #[test]
+fn a_turned_shape_is_scaled_along_its_own_axes_and_the_drag_says_so() {
+    for (degrees, told) in [(0.0, "x × 2"), (30.0, "local x × 2")] {
+        let mut editor = with_cube(Vec3::X);
+        let turned = Transform {
+            rotation: Euler::from_degrees(Vec3::Z * degrees),
+            ..Transform::IDENTITY
+        };
+        let id = editor.shape().id;
+        editor.edit(Edit::SetTransform(id, turned));
+        editor.keys(&plain(&[Key::S, Key::X, Key::Num2]));
+        let painted = editor.painted_over_view();
+        assert!(
+            painted.iter().any(|text| text.starts_with(told)),
+            "{painted:?}"
+        );
+        assert_eq!(editor.transform().scale, Vec3::new(2.0, 1.0, 1.0));
+    }
+}
+
+#[test]
 fn a_turn_is_about_the_axis_with_shift_as_without() {
     let degrees = [Modifiers::NONE, SHIFT].map(|modifiers| {
         let mut editor = with_cube(Vec3::X);

@@ -10,7 +10,9 @@ use editor_core::geometry::Picture;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
-use editor_core::scene::{Camera, CurveDisplay, Look, ShapeColor, SurfaceVisibility};
+use editor_core::scene::{
+    Camera, CharacterDisplay, CurveDisplay, Look, ModelDisplay, ShapeColor, SurfaceVisibility,
+};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings, course_panels};
 use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
@@ -535,7 +537,8 @@ fn a_limb_and_shapes_are_told_though_together_they_are_half_of_what_is_drawn() {
             let text = texts.iter().find(|text| text.starts_with(how)).expect(how);
             let is_color =
                 text.ends_with(": its outline agrees, so that its color or light differs.");
-            let is_place = text.ends_with(": it is moved, turned or scaled.");
+            let is_place = text
+                .ends_with(": it is moved, turned or scaled, or its control points are elsewhere.");
             let expected = (how.contains("Gem"), how.contains("Goblet"));
             assert_eq!((is_color, is_place), expected, "{look:?} {text}");
         }
@@ -574,6 +577,53 @@ fn a_surface_that_is_shown_as_a_wireframe_is_not_said_to_be_moved_for_sure() {
         let near = told.iter().find(|text| text.starts_with("Near Goblet"));
         let near = near.unwrap_or_else(|| panic!("{told:?}"));
         assert!(near.contains("Surface Visibility"), "{look:?} {near}");
+    }
+}
+
+#[test]
+fn the_lowest_shape_is_told_to_be_hidden_though_the_ground_has_risen_without_it() {
+    let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
+    show_in(&mut story, Look::Studio);
+    // About its middle, so that its foot comes below the figure's feet.
+    let goblet = &story.session().scene().shapes()[1];
+    let mut larger = goblet.placement.transform;
+    larger.scale *= 1.3;
+    let edit = Edit::SetTransform(goblet.id, larger);
+    story.program.session_mut().edit(edit).unwrap();
+    story.settle();
+    keep_picture(&mut story, (900, 700));
+    story.click("Hide Goblet");
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    let told = texts(&story);
+    let is_hidden = |text: &String| text.ends_with("Goblet is hidden there.");
+    assert!(told.iter().any(is_hidden), "{told:?}");
+}
+
+#[test]
+fn a_skeleton_beside_a_picture_of_a_mesh_is_said_to_be_one() {
+    for (display, is_told) in [(ModelDisplay::Skeleton, true), (ModelDisplay::Both, false)] {
+        let mut story = Story::start(&["builtin:robot", "builtin:goblet"]);
+        show_in(&mut story, Look::Course);
+        keep_picture(&mut story, (640, 480));
+        let shape = story.session().scene().shapes()[0].id;
+        let robot = story.session().scene().character(shape).unwrap();
+        let display = CharacterDisplay {
+            mode: display,
+            ..robot.display
+        };
+        let edit = Edit::SetDisplay(shape, display);
+        story.program.session_mut().edit(edit).unwrap();
+        story.settle();
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let hint = "B shows Robot as its skeleton: if A shows its mesh";
+        let told = texts(&story);
+        assert_eq!(has_text(&story, hint), is_told, "{told:?}");
+        let is_wrong = |text: &String| text.contains("missing") || text.contains("moved");
+        assert!(!told.iter().any(is_wrong), "{told:?}");
     }
 }
 
@@ -1275,6 +1325,27 @@ fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
         // It is no screenshot of the page, nor is the camera elsewhere.
         assert!(!told.iter().any(|text| text.contains("page")), "{told:?}");
     }
+}
+
+#[test]
+fn a_root_that_is_turned_is_told_where_the_floor_is_the_same_and_no_camera_is_blamed() {
+    let story = robot_changed_beside_its_picture(|story| {
+        let skeleton = story.character().character.skeleton().clone();
+        let mut pose = story.character().pose().clone();
+        pose.set_joint_transform(skeleton.roots()[0], Euler::from_degrees(Vec3::Y * 30.0));
+        let edit = Edit::SetPose(story.shape().id, pose);
+        story.program.session_mut().edit(edit).unwrap();
+        story.settle();
+    });
+    let Some(story) = story else { return };
+    let told = texts(&story);
+    let root =
+        "All over the figure: the floor is where A has it, so that the shape or its root is turned";
+    assert!(has_text(&story, root), "{told:?}");
+    assert!(
+        !told.iter().any(|text| text.contains("camera to")),
+        "{told:?}"
+    );
 }
 
 #[test]

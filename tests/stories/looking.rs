@@ -718,12 +718,22 @@ fn preferences_are_chosen_in_one_window_kept_and_put_back_to_the_defaults() {
 }
 
 #[test]
-fn of_a_built_in_character_the_search_says_in_which_menu_it_is() {
+fn a_built_in_character_is_found_by_its_name_and_inserted() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
-    story.frame(vec![Event::Text("adul".into())]);
+    // A command mentions robots, but opens another document.
+    story.frame(vec![Event::Text("robo".into())]);
     story.settle();
-    assert!(story.has_text("Adult is in Insert ⏵ Built-in Character."));
+    story.key(Key::Enter);
+    assert_eq!(story.names(), ["Strip", "Robot"]);
+
+    // All of them are found by what they are, after commands.
+    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+    story.frame(vec![Event::Text("character".into())]);
+    story.settle();
+    let [import, builtin] =
+        ["Import Character…", "Built-in Character: Adult"].map(|label| story.place(label).y);
+    assert!(import < builtin);
 }
 
 #[test]

@@ -49,7 +49,10 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Scale: drag a handle", "Scale along it, with Ctrl by 0.1"),
     gesture("Scale: drag the ring", "Scale along all axes"),
     gesture("Shift in a drag of a shape", "Follow the pointer finely"),
-    gesture("X, Y, Z in a drag", "That axis alone; again: local, all"),
+    gesture(
+        "X, Y, Z in a drag",
+        "That axis alone; again: local, all. Scaling is local",
+    ),
     gesture(
         "Shift and X, Y, Z in a drag",
         "The two other axes; again: local",

@@ -30,6 +30,7 @@ pub(super) enum CameraTold {
 pub(super) struct Place {
     pub told: String,
     pub area: Area,
+    /// What it tells of the camera.
     pub camera: CameraTold,
     /// What else may be behind it, in a sentence.
     pub instead: Option<String>,
@@ -180,8 +181,9 @@ fn in_words(how: How) -> &'static str {
         How::Color => "its outline agrees, so that its color or light differs",
         How::ColorAndMore => "its color or light differs, and a part of its outline",
         How::Place => "it is moved, turned or scaled",
+        How::PlaceOrPoints => "it is moved, turned or scaled, or its control points are elsewhere",
         How::PlaceOrLines => {
-            "it is moved, turned or scaled, or Surface Visibility shows it otherwise"
+            "it is moved, turned or scaled, its control points are elsewhere, or Surface Visibility shows it otherwise"
         }
         How::Missing => "A shows nothing in its place",
         How::MissingOrLines => "A shows nothing in its place, or no more than lines",
@@ -223,7 +225,7 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
 fn elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
     let (placement, within) = placement_of_all(session, off, size)?;
     Some(Place {
-        told: placed_elsewhere(&placement, within, false),
+        told: placed_elsewhere(&placement, within, CameraTold::Unknown),
         area: off.area,
         camera: CameraTold::Unknown,
         instead: None,

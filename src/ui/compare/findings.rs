@@ -32,7 +32,11 @@ pub(super) fn findings(
     let of_page = compare.report.page_figure.as_ref();
     let of_page = of_page.map(|figure| FigureTold::new(session, compare, figure, kept));
     let judgment = compare.report.judgment.as_ref();
-    let apart = judgment.filter(|_| of_page.is_none()).and_then(|judged| {
+    let off = judgment.and_then(|judgment| judgment.off.as_ref());
+    let display = hints::other_display(session, off);
+    // What a skeleton leaves of a mesh is neither moved nor missing.
+    let is_sought = of_page.is_none() && display.is_none();
+    let apart = judgment.filter(|_| is_sought).and_then(|judged| {
         let (off, figure) = (judged.off.as_ref()?, judged.figure?);
         Some(kept.apart(session, compare, off, figure))
     });
@@ -88,7 +92,10 @@ pub(super) fn findings(
             return say(ui, page_figure::SLANTED, palette.strong);
         }
         let first = first.into_iter().chain(hints::other_edges(compare));
-        for hint in first.filter(|_| !report.measuring) {
+        for hint in first
+            .chain(display.as_deref())
+            .filter(|_| !report.measuring)
+        {
             say(ui, hint, palette.strong);
         }
         match &report.judgment {

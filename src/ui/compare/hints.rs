@@ -1,9 +1,9 @@
 //! What can be done about differences of pictures.
 
 use super::CompareView;
-use crate::compare::{Differences, Finding};
+use crate::compare::{Differences, FigureOff, Finding};
 use crate::editor::Session;
-use crate::scene::{Camera, Look};
+use crate::scene::{Camera, Look, ModelDisplay, Shape};
 use crate::ui::commands::second_home;
 
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
@@ -62,6 +62,24 @@ pub(super) fn other_edges(compare: &CompareView) -> Option<&'static str> {
         (false, true) => Some(SMOOTH_HERE),
         _ => None,
     }
+}
+
+/// How many times as much the other picture shows where it differs that may show a mesh instead of a skeleton.
+const MESH_BY_SKELETON: usize = 2;
+
+/// That a character shows its skeleton, where the other picture may show its mesh.
+pub(super) fn other_display(session: &Session, off: Option<&FigureOff>) -> Option<String> {
+    let off = off.filter(|off| off.theirs.len() > MESH_BY_SKELETON * off.ours.len());
+    let shapes = off.map(|_| session.scene().shapes()).unwrap_or_default();
+    let is_skeleton = |shape: &&Shape| {
+        let character = session.scene().character(shape.id);
+        character.is_some_and(|it| shape.visible && it.display.mode == ModelDisplay::Skeleton)
+    };
+    let shape = shapes.iter().find(is_skeleton)?;
+    Some(format!(
+        "B shows {} as its skeleton: if A shows its mesh, choose Mesh Model for Model Display Mode.",
+        shape.name
+    ))
 }
 
 /// The way back to the look that the comparison began with, if the live view has another one.

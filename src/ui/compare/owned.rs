@@ -136,7 +136,7 @@ impl<'a> Owned<'a> {
         self.off_of_other(shape).is_some_and(|off| off <= COVERED)
     }
 
-    fn off_of_other(&self, shape: ShapeId) -> Option<f32> {
+    pub fn off_of_other(&self, shape: ShapeId) -> Option<f32> {
         share_off(*self.others.get(&shape)?)
     }
 

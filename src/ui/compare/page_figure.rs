@@ -1,7 +1,7 @@
 //! What is said of the figure in a screenshot of the Virtual Mannequin's page.
 
 use super::apart::{CameraTold, KeptPlaces, Place};
-use super::place::{MUCH, place, placed_elsewhere};
+use super::place::{MUCH, much_differs, place, placed_elsewhere};
 use super::{CompareView, FloorSeen, PageFigure};
 use crate::compare::sentence;
 use crate::editor::Session;
@@ -21,6 +21,9 @@ const ALWAYS: [&str; 2] = [
 /// What to do where the figure hardly shows that the camera is turned.
 const FLOOR: &str = "The floor differs by more than the page's noise: B's camera may be turned a little. Home leads to where the page's \
                      starts.";
+
+/// What to do where the floor tells of another camera.
+const HOME: &str = "Home leads B's camera to where it started here, and once more to where the Virtual Mannequin's page does.";
 
 /// What to do where nothing is in its place.
 const ELSEWHERE: [&str; 2] = [
@@ -65,13 +68,15 @@ impl FigureTold {
         let area = off.area;
         let elsewhere = || {
             let elsewhere = figure.elsewhere.as_ref()?;
+            let camera = match elsewhere.is_floor_right {
+                true => CameraTold::Right,
+                false if floor == FloorSeen::Elsewhere => CameraTold::Other,
+                false => CameraTold::Unknown,
+            };
             Some(Place {
-                told: placed_elsewhere(&elsewhere.placement, 1, elsewhere.is_floor_right),
+                told: placed_elsewhere(&elsewhere.placement, 1, camera),
                 area,
-                camera: match elsewhere.is_floor_right {
-                    true => CameraTold::Right,
-                    false => CameraTold::Unknown,
-                },
+                camera,
                 instead: None,
             })
         };
@@ -85,7 +90,8 @@ impl FigureTold {
         let may_be_camera = !floor.is_in_place();
         if places.is_empty() {
             let told = match is_much {
-                true => sentence(&area.place_in(figure.area)),
+                true if may_be_camera => sentence(&area.place_in(figure.area)),
+                true => much_differs(&area.place_in(figure.area)),
                 false => place(session, area, figure.area, compare.size()),
             };
             return Self {
@@ -104,9 +110,12 @@ impl FigureTold {
         let is_only_moved = elsewhere.is_some_and(|elsewhere| elsewhere.is_only_moved);
         let are_parts = places.iter().any(|place| place.camera == CameraTold::Right);
         let is_by_outline = is_much && !are_parts && (is_sure || !is_only_moved);
+        // What the floor tells is said before what to do about it.
+        let is_by_floor = floor == FloorSeen::Elsewhere;
+        let is_elsewhere = is_sure || !is_by_floor;
         Self {
             places,
-            is_elsewhere: may_be_camera && (is_by_outline || floor == FloorSeen::Elsewhere),
+            is_elsewhere: is_elsewhere && may_be_camera && (is_by_outline || is_by_floor),
             is_sure,
             floor,
         }
@@ -116,6 +125,7 @@ impl FigureTold {
     pub(super) fn hint(&self) -> Option<&'static str> {
         match self.floor {
             FloorSeen::Same if !self.is_sure => return None,
+            FloorSeen::Elsewhere if !self.is_sure => return Some(HOME),
             FloorSeen::Off | FloorSeen::Elsewhere if self.is_sure && self.places.is_empty() => {
                 return Some(FLOOR);
             }

@@ -4,7 +4,7 @@ use super::absent::{Attributed, hidden_at, without_absent};
 use super::bones_seen::characters_seen;
 use super::clusters::{fill_an_area, without_strays};
 use super::limbs::{Body, Limb, Limbs, limbs};
-use super::owned::Owned;
+use super::owned::{Owned, seen_at};
 use super::shapes_seen::{ShapeSeen, shapes_seen};
 use super::turned::Covered;
 use crate::compare::{Area, FigureOff};
@@ -59,7 +59,9 @@ pub(super) enum How {
     ColorAndMore,
     /// It covers something else.
     Place,
-    /// The same of a surface, which may be shown as lines in one of the pictures.
+    /// The same of a curve, which may have other control points.
+    PlaceOrPoints,
+    /// The same of a surface, which may also be shown as lines in one of the pictures.
     PlaceOrLines,
     /// The other picture has nothing there.
     Missing,
@@ -105,17 +107,27 @@ fn share_of_both(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> f64 {
 /// Share of what it covers that the other picture shows something at which has nothing there.
 const NOTHING: f64 = 0.02;
 
-/// How a shape differs, which may be a curve, that is off at these pixels of the live view, and at those of the other picture.
-fn how([ours, theirs]: &[Vec<(u32, u32)>; 2], is_curve: bool) -> Option<How> {
+/// Share of what is seen of a surface that is off where the other picture shows it as lines: of one that was moved by a tenth of its
+/// height it was 0.51.
+const LINES_OFF: f32 = 0.97;
+
+/// How a shape differs that is off at these pixels of the live view, and at those of the other picture, where the share `off_of_curve`
+/// is off of it if it is a curve.
+fn how([ours, theirs]: &[Vec<(u32, u32)>; 2], off_of_curve: Option<f32>) -> Option<How> {
     let how = match share_of_both(ours, theirs) {
         _ if (theirs.len() as f64) < NOTHING * ours.len() as f64 => How::Missing,
         SAME_PLACE.. => How::Color,
         ..=OTHER_PLACE => How::Place,
         _ => return None,
     };
+    let Some(off) = off_of_curve else {
+        return Some(how);
+    };
+    let may_be_lines = off >= LINES_OFF;
     Some(match how {
-        How::Missing if is_curve => How::MissingOrLines,
-        How::Place if is_curve && have_one_middle(ours, theirs) => How::PlaceOrLines,
+        How::Missing if may_be_lines => How::MissingOrLines,
+        How::Place if may_be_lines && have_one_middle(ours, theirs) => How::PlaceOrLines,
+        How::Place => How::PlaceOrPoints,
         how => how,
     })
 }
@@ -171,7 +183,10 @@ impl Seen<'_> {
             Self::Shape(shape) => {
                 let kind = match shape.is_character {
                     true => Kind::Character(how_of_character(shape.id, owned, pixels)),
-                    false => Kind::Shape(how(pixels, shape.is_curve)),
+                    false => {
+                        let off = owned.off_of_other(shape.id).unwrap_or(1.0);
+                        Kind::Shape(how(pixels, shape.is_curve.then_some(off)))
+                    }
                 };
                 (shape.name.to_owned(), kind)
             }
@@ -247,7 +262,17 @@ fn parts_with(
     let shown = (theirs.len() + right.len()).max(1) as f64;
     // Lines of the ground that are behind something in the other picture may be left over.
     let are_strays = (ours.len() as f64) < STRAYS * shown && !fill_an_area(&off.ours, off.apart);
-    if explained < EXPLAINED * ours.len() as f32 && !are_strays {
+    // No shape is where the ground is that has sunk or risen with the lowest one.
+    let of_shapes = || {
+        let of_shapes = ours
+            .iter()
+            .filter(|at| seen_at(session, **at, size).is_some());
+        of_shapes.count() as f32
+    };
+    if explained < EXPLAINED * ours.len() as f32
+        && !are_strays
+        && explained < EXPLAINED * of_shapes()
+    {
         return Vec::new();
     }
     let of_theirs = theirs
@@ -308,7 +333,8 @@ fn parts_with(
     // Without anything that is where it should be, what is drawn may as well be seen by another camera.
     if !right.is_empty() {
         let named = |pixels: Vec<(u32, u32)>| {
-            let area = Area::around(without_strays(&pixels, off.apart))?;
+            let pixels = without_strays(&pixels, off.apart);
+            let area = Area::around(pixels.iter().copied())?;
             Some(Part {
                 name: hidden_at(session, area, size)
                     .unwrap_or_default()

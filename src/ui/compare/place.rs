@@ -1,5 +1,6 @@
 //! Differences placed by the bones of the characters in view.
 
+use super::apart::CameraTold;
 use super::bones_seen::characters_seen;
 use crate::character::Joint;
 use crate::compare::{Area, sentence};
@@ -56,19 +57,27 @@ pub(super) fn absent(hidden: &str, part: &str) -> String {
 }
 
 /// Sentence about all that is drawn, whose outline is so placed in the live view, in words, `within` so many pixels.
-pub(super) fn placed_elsewhere(placement: &str, within: u32, is_camera_right: bool) -> String {
+pub(super) fn placed_elsewhere(placement: &str, within: u32, camera: CameraTold) -> String {
     let within = match within {
         0 | 1 => String::new(),
         within => format!(" (to within {within} pixels)"),
     };
-    let reason = match is_camera_right {
-        true => {
+    let reason = match camera {
+        CameraTold::Right => {
             "the floor is where A has it, so that it is the shape or its root that stands elsewhere"
         }
-        false => "another camera, or another place or size of the shape",
+        CameraTold::Other => "the floor is elsewhere as well, so that it is another camera",
+        CameraTold::Unknown => "another camera, or another place or size of the shape",
     };
     sentence(&format!(
         "in B the whole figure is {placement}{within}: {reason}"
+    ))
+}
+
+/// Sentence about much of a figure, at this place in words, that differs though the camera is right.
+pub(super) fn much_differs(place: &str) -> String {
+    sentence(&format!(
+        "{place}: the floor is where A has it, so that the shape or its root is turned or moved, or several limbs are turned"
     ))
 }
 

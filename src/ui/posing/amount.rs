@@ -19,12 +19,22 @@ impl Held {
     /// is along these that keys hold it.
     pub(super) fn readout(&self) -> String {
         let amount = match self.typed.constraint(self.axes) {
-            Some((_, GizmoAxes::Local)) => format!("local {}", self.amount()),
+            Some((_, axes)) if axes == GizmoAxes::Local || self.scales_turned() => {
+                format!("local {}", self.amount())
+            }
             _ => self.amount(),
         };
         match self.typed.why_ended() {
             Some(why) => format!("{amount} {why}"),
             None => amount,
+        }
+    }
+
+    /// Whether it scales a turned shape, which is always along the shape's own axes.
+    fn scales_turned(&self) -> bool {
+        match &self.drag {
+            Drag::Scale(drag) => drag.is_turned(),
+            _ => false,
         }
     }
 
