@@ -219,9 +219,9 @@ fn ground(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
     geometry.lowest_at_rest(world_from_model) + sunk(shape, geometry)
 }
 
-/// How far a shape was moved down from where it was inserted, in the world; 0 if it was not. What is scaled about its middle has another position, but has not been moved; what is turned
-/// about its feet has its middle elsewhere, but has not been moved either. Nor has a figure that is scaled about its feet, or
-/// about those that it had before it was turned.
+/// How far a shape was moved down from where it was inserted, in the world; 0 if it was not. What is scaled about its middle
+/// has another position, but has not been moved; what is turned about its feet has its middle elsewhere, but has not been
+/// moved either. Nor has a figure that is scaled about its feet, or about those that it had before it was turned.
 fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
     let middle = geometry.bounds_at_rest().center();
     let is_figure = shape.front().is_some();
