@@ -239,11 +239,13 @@ pub fn set_beside_others(session: &Session, shape: &mut NewShape) {
         return;
     }
     let up = ground_of_characters(session).map_or(0.0, |ground| ground - lowest_point(shape));
-    let up = up.max(0.0);
+    let is_curve = matches!(shape.kind, ShapeKind::Curve(_));
+    // A curve need not stand on anything, but is not hidden below the ground.
+    let up = if is_curve { up.max(0.0) } else { up };
     let mut by = Vec3::Y * if up.is_finite() { up } else { 0.0 };
     let mut bounds = bounds_of(std::slice::from_ref(shape));
     let mut others = standing(session);
-    if matches!(shape.kind, ShapeKind::Curve(_)) {
+    if is_curve {
         bounds = body_of(&bounds);
         others.retain(|other| other.is_solid);
     }

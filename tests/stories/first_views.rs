@@ -74,6 +74,14 @@ fn what_is_inserted_beside_a_figure_stands_on_its_ground_and_all_of_it_is_seen()
     story.key(Key::F2);
     story.key_with(Modifiers::SHIFT, Key::C);
     assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+
+    // Nor does it hang above the ground of a figure whose feet are lower than it would be.
+    let mut story = Story::start(&["builtin:adult"]);
+    let before = ground(&story);
+    assert!(before < -0.55, "{before}");
+    story.key_with(Modifiers::SHIFT, Key::C);
+    let cube = story.shape().placement.transform;
+    assert!((cube.position.y - 0.5 - before).abs() < 1e-4, "{cube:?}");
 }
 
 #[test]
