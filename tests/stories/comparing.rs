@@ -1286,11 +1286,16 @@ fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() 
 
 /// The Virtual Mannequin's robot in its look, which was changed after a picture of it was kept that it is compared with.
 fn robot_changed_beside_its_picture(change: impl FnOnce(&mut Story)) -> Option<Story> {
-    let robot = reference("mannequin/robot.dae")?;
+    changed_beside_its_picture("robot.dae", change)
+}
+
+/// The same of another file of the Virtual Mannequin.
+fn changed_beside_its_picture(file: &str, change: impl FnOnce(&mut Story)) -> Option<Story> {
+    let found = reference(&format!("mannequin/{file}"))?;
     let mut host = MemoryHost::default();
     host.files
-        .insert("robot.dae".into(), std::fs::read(robot).unwrap());
-    let mut story = Story::start_at(host, &["robot.dae"]);
+        .insert(file.into(), std::fs::read(found).unwrap());
+    let mut story = Story::start_at(host, &[file]);
     show_in(&mut story, Look::Mannequin);
     keep_picture(&mut story, (800, 600));
     change(&mut story);
@@ -1328,6 +1333,29 @@ fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
         assert_eq!(near.count(), turned.len(), "{told:?}");
         // It is no screenshot of the page, nor is the camera elsewhere.
         assert!(!told.iter().any(|text| text.contains("page")), "{told:?}");
+    }
+}
+
+#[test]
+fn a_limb_that_lies_beside_its_bone_is_named_where_the_floor_is_the_same() {
+    for (bone, degrees) in [("Bone.001", 30.0), ("Bone.002", 30.0)] {
+        let story = changed_beside_its_picture("split_cube.dae", |story| {
+            let skeleton = story.character().character.skeleton().clone();
+            let mut pose = story.character().pose().clone();
+            let joint = Pose::find_joint(&skeleton, bone).unwrap();
+            pose.set_joint_transform(joint, Euler::from_degrees(Vec3::X * degrees));
+            let edit = Edit::SetPose(story.shape().id, pose);
+            story.program.session_mut().edit(edit).unwrap();
+            story.settle();
+        });
+        let Some(story) = story else { return };
+        let told = texts(&story);
+        let near = told.iter().filter(|text| text.starts_with("Near "));
+        let near: Vec<_> = near.collect();
+        assert!(
+            matches!(near[..], [one] if one.starts_with(&format!("Near {bone},"))),
+            "{told:?}"
+        );
     }
 }
 
@@ -1629,6 +1657,40 @@ fn a_camera_that_is_turned_is_told_and_no_joint_is_blamed() {
             assert!(camera.contains(way), "{by}: {camera}");
         }
     }
+}
+
+#[test]
+fn no_camera_is_blamed_where_a_part_of_a_figure_is_exactly_the_same() {
+    let is_camera = |text: &String| text.contains("another camera");
+    // One figure has another color, the other one another joint.
+    let mut story = Story::start(&["builtin:robot", "builtin:adult"]);
+    show_in(&mut story, Look::Studio);
+    keep_picture(&mut story, (1000, 750));
+    let robot = story.session().scene().shapes()[0].id;
+    let color = Edit::SetColor(robot, ShapeColor::Custom(Vec3::new(0.0, 1.0, 0.0)));
+    story.program.session_mut().edit(color).unwrap();
+    story.click("[2] Adult (ID: 2)");
+    story.type_into("Right knee X", "24");
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    let told = texts(&story);
+    assert!(has_text(&story, "All of Robot"), "{told:?}");
+    assert!(has_text(&story, "Near Right knee of Adult"), "{told:?}");
+    assert!(!told.iter().any(is_camera), "{told:?}");
+
+    // The trunk moves with a hip, and both legs differ.
+    let mut story = Story::start(&["builtin:adult"]);
+    show_in(&mut story, Look::Course);
+    keep_picture(&mut story, (1000, 750));
+    story.type_into("Left hip X", "25");
+    story.type_into("Right knee X", "-20");
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    let told = texts(&story);
+    assert!(has_text(&story, "Near Right knee"), "{told:?}");
+    assert!(!told.iter().any(is_camera), "{told:?}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::turned::{Covered, Instead, Turned, above, turned};
 use crate::compare::FigureOff;
 use crate::editor::Session;
 use crate::math::distance_from_segment;
-use crate::scene::ShapeId;
+use crate::scene::{Seen, ShapeId};
 use glam::Vec2;
 
 /// How much higher a picture is than the bones in it of which it is the scale: that of smaller ones is less.
@@ -20,8 +20,11 @@ pub(super) struct Limb {
     /// Name of the joint, with the character's if there are several.
     pub name: String,
     pub body: Body,
-    /// Joint that turns it.
+    /// The character, and the joint that turns it.
+    shape: ShapeId,
     turned_by: usize,
+    /// All joints that move with it.
+    joints: Vec<usize>,
     /// What else may be turned, in a sentence.
     pub instead: Option<String>,
     /// Where the joint is.
@@ -34,6 +37,21 @@ impl Limb {
         let ends = self.body.lines.iter().flatten();
         let reach = ends.map(|end| end.distance(self.joint)).fold(0.0, f32::max);
         pixel.distance(self.joint) <= reach + self.body.thick
+    }
+
+    /// Whether it moves what is seen of a mesh.
+    pub fn moves(&self, seen: &Seen) -> bool {
+        match seen {
+            Seen::Mesh(shape, Some(influence)) => {
+                *shape == self.shape && self.joints.contains(&(influence.joint as usize))
+            }
+            _ => false,
+        }
+    }
+
+    /// Distance from the joint.
+    pub fn distance_from_joint(&self, pixel: Vec2) -> f32 {
+        pixel.distance(self.joint)
     }
 }
 
@@ -182,7 +200,11 @@ fn limbs_of(character: &CharacterSeen, turned: &Turned, scale: f32) -> Option<Ve
                         thick: THICK * scale,
                     },
                     joint: start,
+                    shape: character.shape,
                     turned_by: top,
+                    joints: (0..character.joints.len())
+                        .filter(|&joint| self::above(character, joint).any(|it| it == top))
+                        .collect(),
                     instead: None,
                 };
                 limbs.push((top, limb));

@@ -214,7 +214,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Par
         let limbs = limbs(session, off, [ours, right], size, covered);
         Parts {
             is_shape_still: limbs.owned.has_still_shape(),
-            all: parts_with(limbs, session, off, &pixels, size),
+            all: parts_with((limbs, covered), session, off, &pixels, size),
         }
     };
     let strict = parts(Covered::Maybe);
@@ -225,9 +225,10 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Par
     strict
 }
 
-/// The same where limbs are known, and the pixels of `off` as points.
+/// The same where limbs are known, and the pixels of `off` as points. Where nothing is covered, what a joint moves is its limb
+/// however far from its bones.
 fn parts_with(
-    limbs: Limbs,
+    (limbs, covered): (Limbs, Covered),
     session: &Session,
     off: &FigureOff,
     [ours, theirs, right]: &[Vec<Vec2>; 3],
@@ -246,13 +247,33 @@ fn parts_with(
     let shapes = shapes.filter(differs);
     let of_limbs = limbs.all.into_iter().map(Seen::Limb);
     let seen: Vec<Seen> = of_limbs.chain(shapes.map(Seen::Shape)).collect();
-    let nearest = |pixel: Vec2, may_be: &dyn Fn(&Seen) -> bool| {
-        let all = seen.iter().enumerate().filter(|(_, it)| may_be(it));
+    let nearest = |pixel: Vec2, may_be: &dyn Fn((usize, &Seen)) -> bool| {
+        let all = seen.iter().enumerate().filter(|it| may_be(*it));
         let distances = all.map(|(part, it)| (part, it.distance(pixel)));
         distances.min_by(|(_, a), (_, b)| a.total_cmp(b))
     };
-    let of_ours = ours.iter().map(|&pixel| (pixel, nearest(pixel, &|_| true)));
+    let moved = |pixel: Vec2| -> Option<(usize, f32)> {
+        let mesh = seen_at(session, pixel, size).filter(|_| covered == Covered::Not)?;
+        let is_moved = |it: &Seen| matches!(it, Seen::Limb(limb) if limb.moves(&mesh));
+        Some((seen.iter().position(is_moved)?, 1.0))
+    };
+    let of_ours = ours.iter().map(|&pixel| {
+        let nearest = nearest(pixel, &|_| true);
+        let is_near = nearest.is_some_and(|(_, distance)| distance <= 1.0);
+        let moved = (!is_near).then(|| moved(pixel)).flatten();
+        (pixel, moved.or(nearest))
+    });
     let of_ours: Vec<_> = of_ours.collect();
+    // As far as its own pixels a limb reaches in the other picture, too.
+    let mut reach = vec![0.0_f32; seen.len()];
+    for (pixel, nearest) in &of_ours {
+        if let Some((part, _)) = *nearest
+            && let Seen::Limb(limb) = &seen[part]
+            && covered == Covered::Not
+        {
+            reach[part] = reach[part].max(limb.distance_from_joint(*pixel));
+        }
+    }
     let is_explained = |(pixel, nearest): &&(Vec2, Option<(usize, f32)>)| {
         let mut trunks = limbs.trunks.iter();
         nearest.is_some_and(|(_, distance)| distance <= 1.0)
@@ -275,9 +296,16 @@ fn parts_with(
     {
         return Vec::new();
     }
-    let of_theirs = theirs
-        .iter()
-        .map(|&pixel| (pixel, nearest(pixel, &|it| it.may_have_been_at(pixel))));
+    let of_theirs = theirs.iter().map(|&pixel| {
+        let may_have_been_at = |(part, it): (usize, &Seen)| {
+            let is_within = match it {
+                Seen::Limb(limb) => limb.distance_from_joint(pixel) <= reach[part],
+                Seen::Shape(_) => true,
+            };
+            is_within || it.may_have_been_at(pixel)
+        };
+        (pixel, nearest(pixel, &may_have_been_at))
+    });
     let mut pixels = vec![[Vec::new(), Vec::new()]; seen.len()];
     let whole = |pixel: Vec2| (pixel.x as u32, pixel.y as u32);
     for (pixel, nearest) in of_ours {

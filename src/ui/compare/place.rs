@@ -77,7 +77,7 @@ pub(super) fn placed_elsewhere(placement: &str, within: u32, camera: CameraTold)
 /// Sentence about much of a figure, at this place in words, that differs though the camera is right.
 pub(super) fn much_differs(place: &str) -> String {
     sentence(&format!(
-        "{place}: the floor is where A has it, so that the shape or its root is turned or moved, or several limbs are turned"
+        "{place}: the floor is where A has it, so that the shape or its root is turned or moved, or limbs are turned"
     ))
 }
 
