@@ -236,10 +236,11 @@ fn parts_with(
 ) -> Vec<Part> {
     let is_camera_right = limbs.is_camera_right;
     // What a root turns is all of the figure, as what a camera shows that is elsewhere.
-    if !limbs.whole.is_empty() && !is_camera_right {
-        return recolored_alone(session, off, &limbs.owned)
-            .into_iter()
-            .collect();
+    if !limbs.whole.is_empty() {
+        let recolored = recolored_alone(session, off, &limbs.owned);
+        if recolored.is_some() || !is_camera_right {
+            return recolored.into_iter().collect();
+        }
     }
     let shapes = shapes_seen(session, size, &limbs.whole).into_iter();
     let differs =
