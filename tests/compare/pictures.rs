@@ -1262,3 +1262,34 @@ fn the_causes_of_noise_are_sought_in_few_times_the_work_of_counting_pixels() {
     let times = seeking.as_secs_f64() / counting.as_secs_f64();
     assert!(times < 40.0, "{times} times: {counting:?} and {seeking:?}");
 }
+
+#[test]
+fn the_camera_is_right_where_a_part_of_what_is_shaded_is_exactly_the_same() {
+    // A shaded disk of which the right side has another color, and the left side such a gray, brighter by `more`.
+    let disk = |right: [u8; 3], more: u8| {
+        let pixels = (0..200 * 200).flat_map(|at| {
+            let (x, y) = (at % 200, at / 200);
+            let is_inside = (x - 100_i32).pow(2) + (y - 100_i32).pow(2) < 80 * 80;
+            let gray = 80 + (x + y) as u8 / 4 + more;
+            let [r, g, b] = match (is_inside, x < 100) {
+                (false, _) => [26; 3],
+                (true, true) => [gray; 3],
+                (true, false) => right,
+            };
+            [r, g, b, 255]
+        });
+        Picture {
+            width: 200,
+            height: 200,
+            rgba: pixels.collect(),
+        }
+    };
+    let a = disk([200, 40, 40], 0);
+    let is_camera_right = |b: &Picture| {
+        let judgment = Pair::new(&a, b, &[]).unwrap().judge();
+        judgment.off.expect("something is off").is_camera_right
+    };
+    assert!(is_camera_right(&disk([40, 200, 40], 0)));
+    // As alike as what is turned by a little.
+    assert!(!is_camera_right(&disk([40, 200, 40], 1)));
+}
