@@ -1270,7 +1270,7 @@ fn the_camera_is_right_where_a_part_of_what_is_shaded_is_exactly_the_same() {
         let pixels = (0..200 * 200).flat_map(|at| {
             let (x, y) = (at % 200, at / 200);
             let is_inside = (x - 100_i32).pow(2) + (y - 100_i32).pow(2) < 80 * 80;
-            let gray = 80 + (x + y) as u8 / 4 + more;
+            let gray = 80 + ((x + y) / 4) as u8 + more;
             let [r, g, b] = match (is_inside, x < 100) {
                 (false, _) => [26; 3],
                 (true, true) => [gray; 3],
