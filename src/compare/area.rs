@@ -1,3 +1,4 @@
+use glam::Vec2;
 use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
@@ -61,6 +62,15 @@ impl Area {
             along("y", self.y, self.height),
         );
         format!("{columns}, {rows}")
+    }
+
+    /// Its upper left corner, and the lower right one, which is no pixel of it.
+    pub fn corners(self) -> [Vec2; 2] {
+        let least = Vec2::new(self.x as f32, self.y as f32);
+        [
+            least,
+            least + Vec2::new(self.width as f32, self.height as f32),
+        ]
     }
 
     /// The smallest area around all pixels `(x, y)`; `None` without any.

@@ -3,16 +3,10 @@
 use super::Area;
 use super::PixelGrid;
 use super::differences::difference;
+use super::exactly_same::ExactlySame;
 use super::pair::{DRAWN_THRESHOLD, Pair};
 use crate::steps::Pace;
-use std::collections::HashMap;
 
-/// Side of the squares in pixels of which it is found out whether what is shaded there is exactly the same, …
-const CELL: usize = 16;
-/// … which so much of it is where the camera is: of what is turned by a little, colors hardly differ, but few are the same.
-const EXACT: f64 = 0.98;
-/// Share of what is shaded that is in such squares from which on the camera is right.
-const FEWEST_EXACT: f64 = 0.1;
 /// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
 /// and a forearm that is turned a little is more than a hundredth.
 const LITTLE: f64 = 0.002;
@@ -51,6 +45,7 @@ impl FigureOff {
         of_figures: usize,
         right: Vec<usize>,
         has_outline: bool,
+        is_camera_right: bool,
     ) -> Option<Self> {
         let mut sizes: Vec<usize> = ours.iter().chain(theirs).map(Vec::len).collect();
         sizes.sort_unstable();
@@ -77,7 +72,7 @@ impl FigureOff {
             right: spread(right),
             apart,
             has_outline,
-            is_camera_right: false,
+            is_camera_right,
         })
     }
 }
@@ -91,7 +86,7 @@ impl Pair<'_> {
         let mut off = [vec![false; count], vec![false; count]];
         let mut right = vec![false; count];
         let mut of_figures = 0;
-        let mut cells: HashMap<[usize; 2], [usize; 2]> = HashMap::new();
+        let mut same = ExactlySame::default();
         pace.bands(count, |band| {
             for at in band.filter(|&at| self.kept()[at]) {
                 let drawn = self.figures_at(at);
@@ -102,12 +97,8 @@ impl Pair<'_> {
                 }
                 right[at] = drawn == [true; 2] && !differs;
                 // What has one color has it from wherever it is seen.
-                let is_shaded = || grid.around(at).any(|near| a[near] != a[at]);
-                if right[at] && is_shaded() {
-                    let cell = [at % grid.width, at / grid.width].map(|along| along / CELL);
-                    let [shaded, exact] = cells.entry(cell).or_default();
-                    *shaded += 1;
-                    *exact += usize::from(a[at] == b[at]);
+                if right[at] && grid.around(at).any(|near| a[near] != a[at]) {
+                    same.count(grid.pixel(at), a[at] == b[at]);
                 }
             }
         })
@@ -120,12 +111,6 @@ impl Pair<'_> {
             return None;
         }
         let has_outline = self.has_figures();
-        let exact = cells
-            .values()
-            .filter(|[shaded, exact]| *shaded >= CELL && *exact as f64 >= EXACT * *shaded as f64);
-        let exact: usize = exact.map(|[shaded, _]| shaded).sum();
-        let all: usize = cells.values().map(|[shaded, _]| shaded).sum();
-        let is_camera_right = exact as f64 >= FEWEST_EXACT * all as f64 && exact > 0;
         if self.backgrounds().contains(&None) {
             // However large the picture is about the figure, or of this program's own ones, in which what is right is equal.
             of_figures = islands.iter().flatten().map(Vec::len).sum();
@@ -142,10 +127,7 @@ impl Pair<'_> {
             of_figures,
             solid,
             has_outline,
+            same.tells_of_camera(),
         )
-        .map(|off| FigureOff {
-            is_camera_right,
-            ..off
-        })
     }
 }

@@ -10,6 +10,7 @@ mod allowance;
 mod area;
 mod diagnosis;
 mod differences;
+mod exactly_same;
 mod figure_off;
 mod filters;
 mod flip;

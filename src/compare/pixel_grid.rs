@@ -107,7 +107,8 @@ impl PixelGrid {
             .collect()
     }
 
-    fn pixel(self, at: usize) -> [u32; 2] {
+    /// Column and row of a place.
+    pub(super) fn pixel(self, at: usize) -> [u32; 2] {
         [(at % self.width) as u32, (at / self.width) as u32]
     }
 }

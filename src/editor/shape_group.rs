@@ -74,6 +74,11 @@ impl ShapeGroup {
         }
     }
 
+    /// Whether the active shape's own axes, along which all are scaled, are not those of the world.
+    pub fn is_turned(&self) -> bool {
+        self.own != DMat3::IDENTITY
+    }
+
     /// 1 if a turn about `axis`, in the world, makes the angle of the active shape larger that it
     /// changes most, or else -1.
     pub fn panel_sign(&self, axis: DVec3) -> f64 {

@@ -97,12 +97,6 @@ impl ShapeScale {
         self.group.stays_on_ground()
     }
 
-    /// Whether the axes along which shapes are scaled, the active one's own, are not those of the world.
-    pub fn is_turned(&self) -> bool {
-        let axis = |axes, axis| self.group.axis(axes, axis);
-        (0..3).any(|it| axis(GizmoAxes::Local, it) != axis(GizmoAxes::World, it))
-    }
-
     /// The axes that alone are scaled; `None` for all.
     pub fn constraint(&self) -> Option<Constraint> {
         self.constraint

@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use super::files::file_name;
-use super::page_figure::shows_floor_of_page;
+use super::page_floor::shows_floor_of_page;
 use super::page_screenshot::{has_sky_of_page, view_of_page};
 use super::running::Program;
 use crate::editor::{Severity, View};

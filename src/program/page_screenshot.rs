@@ -1,6 +1,6 @@
 //! Screenshots of the Virtual Mannequin's page, which show its keyframes below the view.
 
-use super::page_figure::is_of_sky;
+use super::page_view::is_of_sky;
 use crate::geometry::Picture;
 use image::RgbaImage;
 use image::imageops::thumbnail;

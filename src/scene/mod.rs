@@ -14,6 +14,7 @@ pub mod custom;
 mod deformation;
 mod evaluate;
 mod evaluate_curves;
+mod ground;
 mod ik_settings;
 mod import_curve;
 mod joints_fit;

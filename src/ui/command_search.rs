@@ -167,16 +167,13 @@ fn contents(
     chosen
 }
 
-/// What fits the words: built-in files that are named so, then commands, and then built-in files that the words only tell the
-/// kind of.
+/// What fits the words: built-in files whose names begin so, then commands, and then other built-in files.
 fn rows(words: &str, session: &Session, state: &UiState, input: &ViewInput) -> Vec<Row> {
     let mut found = found(words);
     found.retain(|(_, entry)| is_there(entry.command, input));
-    if words.is_empty() {
-        return found
-            .into_iter()
-            .map(|(_, entry)| Row::Command(entry))
-            .collect();
+    let row = |(_, entry)| Row::Command(entry);
+    if words.trim().is_empty() {
+        return found.into_iter().map(row).collect();
     }
     // What can be done now comes first among those that fit as well.
     let is_disabled = |entry: &Entry| why_disabled(entry.command, session, state).is_some();
@@ -190,13 +187,17 @@ fn rows(words: &str, session: &Session, state: &UiState, input: &ViewInput) -> V
         names.map(move |&name| Row::Builtin { name, menu })
     });
     let fits = |row: &Row| has_all(&row.label(session, state), words);
+    let beginning = plain(words.trim());
+    // One or two letters begin too much.
     let is_named = |row: &Row| match row {
-        Row::Builtin { name, .. } => has_all(name, words),
+        Row::Builtin { name, .. } => {
+            beginning.chars().count() > 2 && plain(name).starts_with(&beginning)
+        }
         Row::Command(_) => false,
     };
-    let (named, of_kind): (Vec<Row>, Vec<Row>) = all.filter(fits).partition(is_named);
-    let commands = found.into_iter().map(|(_, entry)| Row::Command(entry));
-    named.into_iter().chain(commands).chain(of_kind).collect()
+    let (named, others): (Vec<Row>, Vec<Row>) = all.filter(fits).partition(is_named);
+    let commands = found.into_iter().map(row);
+    named.into_iter().chain(commands).chain(others).collect()
 }
 
 /// A command as the list names it: with its menu where that says what it is, and with what it is about.

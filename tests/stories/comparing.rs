@@ -335,6 +335,11 @@ fn a_character_that_is_moved_turned_or_scaled_is_told_as_a_whole_beside_what_sta
 /// The course's character, which is selected, beside another shape in a look; `None` without the reference data. It has no
 /// weights for the root, and hardly a vertex that the chest or the waist moves alone.
 fn course_character_beside_shape(look: Look) -> Option<Story> {
+    course_character(look, &["models/Model1.obj", "builtin:goblet"])
+}
+
+/// The same of these files.
+fn course_character(look: Look, files: &[&str]) -> Option<Story> {
     let mut host = MemoryHost {
         stored: [crate::stories::started_before()].into(),
         ..MemoryHost::default()
@@ -344,7 +349,7 @@ fn course_character_beside_shape(look: Look) -> Option<Story> {
         let bytes = std::fs::read(course(&format!("characters/{name}"))?).unwrap();
         host.files.insert(format!("models/{name}").into(), bytes);
     }
-    let mut story = Story::start_at(host, &["models/Model1.obj", "builtin:goblet"]);
+    let mut story = Story::start_at(host, files);
     show_in(&mut story, look);
     story.click("[1] Model1 (ID: 1)");
     Some(story)
@@ -1244,17 +1249,7 @@ fn a_picture_of_the_pages_view_alone_is_compared_by_its_figure_in_the_look_of_th
         &story,
         "If A is the Virtual Mannequin's page, the noise"
     ));
-    let arm = story.character().character.skeleton().joints();
-    let arm = arm
-        .iter()
-        .position(|joint| joint.name == "upper_arm.R")
-        .unwrap();
-    let mut pose = story.character().pose().clone();
-    pose.set_joint_transform(arm, Euler::from_degrees(Vec3::Z * 30.0));
-    let edit = Edit::SetPose(story.shape().id, pose);
-    story
-        .program
-        .carry_out(vec![Action::Edit(edit)], &mut story.host);
+    turn_joints(&mut story, &[("upper_arm.R", Vec3::Z * 30.0)]);
     judge(&mut story);
     assert!(has_text(&story, "Near upper_arm.R"), "{:?}", texts(&story));
 }
@@ -1282,6 +1277,31 @@ fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() 
             texts(&story)
         );
     }
+}
+
+/// Turns joints of the selected character from its bind pose, each by so many degrees about X, Y and Z.
+fn turn_joints(story: &mut Story, turned: &[(&str, Vec3)]) {
+    let (shape, skeleton) = (story.shape().id, story.character().character.skeleton());
+    let mut pose = Pose::new();
+    for (joint, degrees) in turned {
+        let joint = Pose::find_joint(skeleton, joint).unwrap();
+        pose.set_joint_transform(joint, Euler::from_degrees(*degrees));
+    }
+    let edit = Edit::SetPose(shape, pose);
+    story.program.session_mut().edit(edit).unwrap();
+    story.settle();
+}
+
+/// Shows the scene from a camera that is turned by so many degrees to the left and up.
+fn turn_camera(story: &mut Story, [around, above]: [f32; 2]) {
+    let here = story.session().view().camera;
+    let turned = Camera {
+        theta: here.theta + around.to_radians(),
+        phi: here.phi + above.to_radians(),
+        ..here
+    };
+    let seen = vec![Action::View(View::SetCamera(turned))];
+    story.program.carry_out(seen, &mut story.host);
 }
 
 /// The Virtual Mannequin's robot in its look, which was changed after a picture of it was kept that it is compared with.
@@ -1313,17 +1333,7 @@ fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
         [elbow, ("shin.R", Vec3::X * 30.0)],
         [elbow, ("head", Vec3::Y * 30.0)],
     ] {
-        let story = robot_changed_beside_its_picture(|story| {
-            let skeleton = story.character().character.skeleton().clone();
-            let mut pose = story.character().pose().clone();
-            for (joint, degrees) in turned {
-                let joint = Pose::find_joint(&skeleton, joint).unwrap();
-                pose.set_joint_transform(joint, Euler::from_degrees(degrees));
-            }
-            let edit = Edit::SetPose(story.shape().id, pose);
-            story.program.session_mut().edit(edit).unwrap();
-            story.settle();
-        });
+        let story = robot_changed_beside_its_picture(|story| turn_joints(story, &turned));
         let Some(story) = story else { return };
         let told = texts(&story);
         for (joint, _) in turned {
@@ -1338,16 +1348,10 @@ fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
 
 #[test]
 fn a_limb_that_lies_beside_its_bone_is_named_where_the_floor_is_the_same() {
-    for (bone, degrees) in [("Bone.001", 30.0), ("Bone.002", 30.0)] {
-        let story = changed_beside_its_picture("split_cube.dae", |story| {
-            let skeleton = story.character().character.skeleton().clone();
-            let mut pose = story.character().pose().clone();
-            let joint = Pose::find_joint(&skeleton, bone).unwrap();
-            pose.set_joint_transform(joint, Euler::from_degrees(Vec3::X * degrees));
-            let edit = Edit::SetPose(story.shape().id, pose);
-            story.program.session_mut().edit(edit).unwrap();
-            story.settle();
-        });
+    for bone in ["Bone.001", "Bone.002"] {
+        let turned = [(bone, Vec3::X * 30.0)];
+        let story =
+            changed_beside_its_picture("split_cube.dae", |story| turn_joints(story, &turned));
         let Some(story) = story else { return };
         let told = texts(&story);
         let near = told.iter().filter(|text| text.starts_with("Near "));
@@ -1362,12 +1366,9 @@ fn a_limb_that_lies_beside_its_bone_is_named_where_the_floor_is_the_same() {
 #[test]
 fn a_root_that_is_turned_is_told_where_the_floor_is_the_same_and_no_camera_is_blamed() {
     let story = robot_changed_beside_its_picture(|story| {
-        let skeleton = story.character().character.skeleton().clone();
-        let mut pose = story.character().pose().clone();
-        pose.set_joint_transform(skeleton.roots()[0], Euler::from_degrees(Vec3::Y * 30.0));
-        let edit = Edit::SetPose(story.shape().id, pose);
-        story.program.session_mut().edit(edit).unwrap();
-        story.settle();
+        let skeleton = story.character().character.skeleton();
+        let root = skeleton.joints()[skeleton.roots()[0]].name.clone();
+        turn_joints(story, &[(&root, Vec3::Y * 30.0)]);
     });
     let Some(story) = story else { return };
     let told = texts(&story);
@@ -1382,17 +1383,8 @@ fn a_root_that_is_turned_is_told_where_the_floor_is_the_same_and_no_camera_is_bl
 
 #[test]
 fn a_floor_that_is_elsewhere_tells_of_another_camera_and_no_joint_is_blamed() {
-    for (around, above) in [(15_f32, 0_f32), (0.0, 15.0), (5.0, 0.0)] {
-        let story = robot_changed_beside_its_picture(|story| {
-            let here = story.session().view().camera;
-            let turned = Camera {
-                theta: here.theta + around.to_radians(),
-                phi: here.phi + above.to_radians(),
-                ..here
-            };
-            let seen = vec![Action::View(View::SetCamera(turned))];
-            story.program.carry_out(seen, &mut story.host);
-        });
+    for by in [[15.0, 0.0], [0.0, 15.0], [5.0, 0.0]] {
+        let story = robot_changed_beside_its_picture(|story| turn_camera(story, by));
         let Some(story) = story else { return };
         let told = texts(&story);
         assert!(
@@ -1473,25 +1465,7 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     story.settle();
     judge(&mut story);
     assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
-    let arm = Pose::find_joint(
-        story
-            .session()
-            .scene()
-            .character(id)
-            .unwrap()
-            .character
-            .skeleton(),
-        "forearm.L",
-    )
-    .unwrap();
-    let mut pose = Pose::new();
-    pose.set_joint_transform(arm, Euler::from_degrees(Vec3::new(0.0, 0.0, 25.0)));
-    story
-        .program
-        .session_mut()
-        .edit(Edit::SetPose(id, pose))
-        .unwrap();
-    story.settle();
+    turn_joints(&mut story, &[("forearm.L", Vec3::Z * 25.0)]);
     judge(&mut story);
     assert!(!has_text(&story, "The figure agrees"));
     assert!(has_text(
@@ -1503,8 +1477,6 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
     let seldom = "A is the Virtual Mannequin's page. If all";
     assert!(!has_text(&story, seldom));
     // Each of several limbs is named by the joint that was turned, whatever hangs on it.
-    let skeleton = story.session().scene().character(id).unwrap();
-    let skeleton = skeleton.character.skeleton().clone();
     let z = Vec3::Z;
     for (turned, named) in [
         (
@@ -1532,14 +1504,7 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
             &["shin.R", "upper_arm.L"],
         ),
     ] {
-        let mut pose = Pose::new();
-        for (joint, degrees) in turned {
-            let joint = Pose::find_joint(&skeleton, joint).unwrap();
-            pose.set_joint_transform(joint, Euler::from_degrees(*degrees));
-        }
-        let edit = Edit::SetPose(id, pose);
-        story.program.session_mut().edit(edit).unwrap();
-        story.settle();
+        turn_joints(&mut story, turned);
         judge(&mut story);
         let all = texts(&story).into_iter();
         let near = all.filter_map(|text| {
@@ -1613,16 +1578,9 @@ fn a_root_that_is_moved_a_little_is_told_by_the_floor_of_the_page_from_a_camera_
 
 /// What is said of the other picture's camera beside a story whose view is turned by so many degrees, after a picture of it was
 /// kept.
-fn told_of_camera(story: &mut Story, [around, above]: [f32; 2]) -> String {
+fn told_of_camera(story: &mut Story, turned_by: [f32; 2]) -> String {
     keep_picture(story, (800, 600));
-    let here = story.session().view().camera;
-    let turned = Camera {
-        theta: here.theta + around.to_radians(),
-        phi: here.phi + above.to_radians(),
-        ..here
-    };
-    let seen = vec![Action::View(View::SetCamera(turned))];
-    story.program.carry_out(seen, &mut story.host);
+    turn_camera(story, turned_by);
     story.key(Key::F8);
     story.choose("mine.png");
     judge(story);
@@ -1661,54 +1619,35 @@ fn a_camera_that_is_turned_is_told_and_no_joint_is_blamed() {
 
 #[test]
 fn no_camera_is_blamed_where_a_part_of_a_figure_is_exactly_the_same() {
-    let is_camera = |text: &String| text.contains("another camera");
-    // One figure has another color, the other one another joint.
-    let mut story = Story::start(&["builtin:showcase"]);
-    show_in(&mut story, Look::Studio);
-    story.click("Hide Dog");
-    keep_picture(&mut story, (1000, 750));
-    let shapes = story.session().scene().shapes();
-    let robot = shapes
-        .iter()
-        .find(|shape| shape.name == "Robot")
-        .unwrap()
-        .id;
-    let color = Edit::SetColor(robot, ShapeColor::Custom(Vec3::new(0.0, 1.0, 0.0)));
-    story.program.session_mut().edit(color).unwrap();
-    let shapes = story.session().scene().shapes();
-    let adult = shapes
-        .iter()
-        .find(|shape| shape.name == "Adult")
-        .unwrap()
-        .id;
-    let skeleton = &story.session().scene().character(adult).unwrap().character;
-    let knee = Pose::find_joint(skeleton.skeleton(), "Right knee").unwrap();
-    let edit = Edit::SetJointTransform {
-        shape: adult,
-        joint: knee,
-        rotation: Euler::from_degrees(Vec3::X * 10.0),
-    };
-    story.program.session_mut().edit(edit).unwrap();
-    story.settle();
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
-    let told = texts(&story);
-    assert!(has_text(&story, "All of Robot"), "{told:?}");
-    assert!(has_text(&story, "Near Right knee of Adult"), "{told:?}");
-    assert!(!told.iter().any(is_camera), "{told:?}");
-
     // The trunk moves with a hip, and both legs differ.
-    let mut story = Story::start(&["builtin:adult"]);
-    show_in(&mut story, Look::Course);
+    let Some(mut story) = course_character(Look::Course, &["models/Model1.obj"]) else {
+        return;
+    };
+    turn_joints(
+        &mut story,
+        &[
+            ("Right leg", Vec3::X * -60.0),
+            ("Right knee", Vec3::X * 50.0),
+            ("Right elbow", Vec3::new(-40.0, 0.0, 22.5)),
+            ("Left shoulder", Vec3::Z * 48.0),
+        ],
+    );
+    let nearer = Camera {
+        target: Vec3::new(0.46, 0.49, 0.5),
+        radius: 1.41,
+        ..story.session().view().camera
+    };
+    let seen = vec![Action::View(View::SetCamera(nearer))];
+    story.program.carry_out(seen, &mut story.host);
     keep_picture(&mut story, (1000, 750));
+    story.type_into("Right knee X", "30");
     story.type_into("Left hip X", "25");
-    story.type_into("Right knee X", "-20");
     story.key(Key::F8);
     story.choose("mine.png");
     judge(&mut story);
     let told = texts(&story);
     assert!(has_text(&story, "Near Right knee"), "{told:?}");
+    let is_camera = |text: &String| text.contains("another camera");
     assert!(!told.iter().any(is_camera), "{told:?}");
 }
 

@@ -734,6 +734,15 @@ fn a_built_in_character_is_found_by_its_name_and_inserted() {
     let [import, builtin] =
         ["Import Character…", "Built-in Character: Adult"].map(|label| story.place(label).y);
     assert!(import < builtin);
+
+    // What a name only has in its midst, as a humanoid's, comes after commands, too.
+    story.key(Key::Escape);
+    story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+    story.frame(vec![Event::Text("man".into())]);
+    story.settle();
+    let [look, builtin] =
+        ["Look: Mannequin", "Built-in Character: Humanoid"].map(|label| story.place(label).y);
+    assert!(look < builtin);
 }
 
 #[test]

@@ -64,11 +64,10 @@ pub(super) fn hidden_at(session: &Session, area: Area, size: Vec2) -> Option<&st
     let overlaps = shapes.filter(|shape| !shape.visible).filter_map(|shape| {
         let [least, most] = box_of(session.evaluated().shape(shape.id)?, camera, size)?;
         let (least, most) = (least.max(Vec2::ZERO), most.min(size));
-        let from = Vec2::new(area.x as f32, area.y as f32);
-        let extent = Vec2::new(area.width as f32, area.height as f32);
-        let both = (most.min(from + extent) - least.max(from)).max(Vec2::ZERO);
+        let [from, to] = area.corners();
+        let both = (most.min(to) - least.max(from)).max(Vec2::ZERO);
         let both = both.element_product();
-        let either = extent.element_product() + (most - least).element_product() - both;
+        let either = (to - from).element_product() + (most - least).element_product() - both;
         Some((both / either.max(1.0), &*shape.name))
     });
     let best = overlaps.max_by(|(a, _), (b, _)| a.total_cmp(b));

@@ -3,8 +3,9 @@
 use super::CompareView;
 use super::clusters::clusters;
 use super::elsewhere::placement_of_all;
+use super::how::How;
 use super::other_camera::other_camera;
-use super::parts::{How, Kind, Part, Parts, of_shapes, parts};
+use super::parts::{Kind, Part, Parts, of_shapes, parts};
 use super::place::{MUCH, absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
@@ -34,6 +35,18 @@ pub(super) struct Place {
     pub camera: CameraTold,
     /// What else may be behind it, in a sentence.
     pub instead: Option<String>,
+}
+
+impl Place {
+    /// A place about which nothing else is told.
+    pub(super) fn new(told: String, area: Area, camera: CameraTold) -> Self {
+        Self {
+            told,
+            area,
+            camera,
+            instead: None,
+        }
+    }
 }
 
 /// The places that were found last. They stay as long as nothing changes of what they follow from: to find them takes longer
@@ -94,13 +107,9 @@ impl KeptPlaces {
     ) -> Vec<Place> {
         self.get(session, compare, off, || {
             let by_outline = || seen_by_other_camera(session, off, compare.size());
-            let all = elsewhere().or_else(by_outline).unwrap_or_else(|| Place {
-                told: FLOOR_ELSEWHERE.to_owned(),
-                area: off.area,
-                camera: CameraTold::Other,
-                instead: None,
-            });
-            vec![all]
+            let all = elsewhere().or_else(by_outline);
+            let by_floor = || Place::new(FLOOR_ELSEWHERE.to_owned(), off.area, CameraTold::Other);
+            vec![all.unwrap_or_else(by_floor)]
         })
     }
 
@@ -147,21 +156,16 @@ fn parts_or_all(
 
 /// All that is drawn, if it is where the other picture has it as another camera sees it.
 fn seen_by_other_camera(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
-    let camera = other_camera(session, off, size)?;
-    Some(Place {
-        told: seen_from_elsewhere(&camera),
-        area: off.area,
-        camera: CameraTold::Other,
-        instead: None,
-    })
+    let told = seen_from_elsewhere(&other_camera(session, off, size)?);
+    Some(Place::new(told, off.area, CameraTold::Other))
 }
 
 fn places_of(parts: Vec<Part>) -> Vec<Place> {
     let places = parts.into_iter().map(|part| {
         let (name, share) = (&part.name, about(part.percent));
         let (told, instead) = match part.kind {
-            Kind::Character(how) => (whole(name, &share, how.map(in_words)), None),
-            Kind::Shape(how) => (near(name, &share, how.map(in_words)), None),
+            Kind::Character(how) => (whole(name, &share, how.map(How::in_words)), None),
+            Kind::Shape(how) => (near(name, &share, how.map(How::in_words)), None),
             Kind::Limb { instead } => (near(name, &share, None), instead),
             Kind::Absent => (absent(name, &share), None),
         };
@@ -173,21 +177,6 @@ fn places_of(parts: Vec<Part>) -> Vec<Place> {
         }
     });
     places.collect()
-}
-
-/// How a shape differs.
-fn in_words(how: How) -> &'static str {
-    match how {
-        How::Color => "its outline agrees, so that its color or light differs",
-        How::ColorAndMore => "its color or light differs, and a part of its outline",
-        How::Place => "it is moved, turned or scaled",
-        How::PlaceOrPoints => "it is moved, turned or scaled, or its control points are elsewhere",
-        How::PlaceOrLines => {
-            "it is moved, turned or scaled, its control points are elsewhere, or Surface Visibility shows it otherwise"
-        }
-        How::Missing => "A shows nothing in its place",
-        How::MissingOrLines => "A shows nothing in its place, or no more than lines",
-    }
 }
 
 /// Most places apart from one another that are told one by one, …
@@ -211,12 +200,7 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
             true => place(session, area, figure, size),
             false => sentence(&area.place_in(figure)),
         };
-        Place {
-            told,
-            area,
-            camera: CameraTold::Unknown,
-            instead: None,
-        }
+        Place::new(told, area, CameraTold::Unknown)
     });
     places.collect()
 }
@@ -224,12 +208,9 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
 /// All that is drawn, if it has the outline of the other picture but stands elsewhere.
 fn elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
     let (placement, within) = placement_of_all(session, off, size)?;
-    Some(Place {
-        told: placed_elsewhere(&placement, within, CameraTold::Unknown),
-        area: off.area,
-        camera: CameraTold::Unknown,
-        instead: None,
-    })
+    let camera = CameraTold::Unknown;
+    let told = placed_elsewhere(&placement, within, camera);
+    Some(Place::new(told, off.area, camera))
 }
 
 /// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down, and whether some of
@@ -282,12 +263,7 @@ mod tests {
             let places = parts_or_all(&session, &off, size, || elsewhere).into_iter();
             places.map(|place| place.told).collect()
         };
-        let larger = Place {
-            told: "Larger".to_owned(),
-            area: off.area,
-            camera: CameraTold::Unknown,
-            instead: None,
-        };
+        let larger = Place::new("Larger".to_owned(), off.area, CameraTold::Unknown);
         assert_eq!(told(Some(larger)), ["Larger"]);
         let [missing] = &told(None)[..] else {
             panic!("one place");

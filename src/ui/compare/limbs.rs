@@ -3,7 +3,7 @@
 use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
 use super::elsewhere::is_elsewhere;
 use super::owned::Owned;
-use super::turned::{Covered, Instead, Turned, above, turned};
+use super::turned::{Certainty, Instead, Turned, above, turned};
 use crate::compare::FigureOff;
 use crate::editor::Session;
 use crate::math::distance_from_segment;
@@ -29,6 +29,8 @@ pub(super) struct Limb {
     pub instead: Option<String>,
     /// Where the joint is.
     joint: Vec2,
+    /// How far from there its own pixels are known to be.
+    farthest: f32,
 }
 
 impl Limb {
@@ -36,7 +38,7 @@ impl Limb {
     pub fn may_have_been_at(&self, pixel: Vec2) -> bool {
         let ends = self.body.lines.iter().flatten();
         let reach = ends.map(|end| end.distance(self.joint)).fold(0.0, f32::max);
-        pixel.distance(self.joint) <= reach + self.body.thick
+        pixel.distance(self.joint) <= self.farthest.max(reach + self.body.thick)
     }
 
     /// Whether it moves what is seen of a mesh.
@@ -49,16 +51,14 @@ impl Limb {
         }
     }
 
-    /// Distance from the joint.
-    pub fn distance_from_joint(&self, pixel: Vec2) -> f32 {
-        pixel.distance(self.joint)
+    /// Extends it to a pixel of its own, which may lie beside its bones.
+    pub fn extend_to(&mut self, pixel: Vec2) {
+        self.farthest = self.farthest.max(pixel.distance(self.joint));
     }
 }
 
 /// The limbs of the characters in view that differ.
-pub(super) struct Limbs<'a> {
-    /// What is seen where.
-    pub owned: Owned<'a>,
+pub(super) struct Limbs {
     pub all: Vec<Limb>,
     /// What joints move that may be turned instead, besides limbs.
     pub trunks: Vec<Body>,
@@ -102,18 +102,18 @@ fn scale(character: &CharacterSeen, height: f32) -> f32 {
 
 /// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones which are at
 /// `pixels` that are `off`, while others are at such that are right.
-pub(super) fn limbs<'a>(
-    session: &'a Session,
+pub(super) fn limbs(
+    session: &Session,
+    owned: &Owned,
     off: &FigureOff,
     pixels: [&[Vec2]; 2],
     size: Vec2,
-    covered: Covered,
-) -> Limbs<'a> {
-    let owned = Owned::new(session, pixels, size);
+    certainty: Certainty,
+) -> Limbs {
     let characters = characters_seen(session, size).into_iter();
     let characters = characters.map(|character| {
         let scale = scale(&character, size.y);
-        let turned = turned(&character, pixels, &owned, (size, scale), covered);
+        let turned = turned(&character, pixels, owned, (size, scale), certainty);
         (character, scale, turned)
     });
     let characters: Vec<_> = characters.collect();
@@ -125,13 +125,12 @@ pub(super) fn limbs<'a>(
         trunks: Vec::new(),
         whole: Vec::new(),
         is_camera_right,
-        owned,
     };
     for (character, scale, turned) in characters {
         let of_character = limbs_of(&character, &turned, scale).filter(|of_character| {
             let may_be_elsewhere = of_character.len() > 1 && is_camera_right;
             let is_elsewhere =
-                || may_be_elsewhere && is_elsewhere(&limbs.owned, character.shape, off, size);
+                || may_be_elsewhere && is_elsewhere(owned, character.shape, off, size);
             !turned.is_whole && !is_elsewhere()
         });
         match of_character {
@@ -200,6 +199,7 @@ fn limbs_of(character: &CharacterSeen, turned: &Turned, scale: f32) -> Option<Ve
                         thick: THICK * scale,
                     },
                     joint: start,
+                    farthest: 0.0,
                     shape: character.shape,
                     turned_by: top,
                     joints: (0..character.joints.len())

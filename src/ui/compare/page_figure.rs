@@ -73,12 +73,8 @@ impl FigureTold {
                 false if floor == FloorSeen::Elsewhere => CameraTold::Other,
                 false => CameraTold::Unknown,
             };
-            Some(Place {
-                told: placed_elsewhere(&elsewhere.placement, 1, camera),
-                area,
-                camera,
-                instead: None,
-            })
+            let told = placed_elsewhere(&elsewhere.placement, 1, camera);
+            Some(Place::new(told, area, camera))
         };
         let places = match floor {
             // Whatever differs besides, it is seen by another camera.
@@ -95,12 +91,7 @@ impl FigureTold {
                 false => place(session, area, figure.area, compare.size()),
             };
             return Self {
-                places: vec![Place {
-                    told,
-                    area,
-                    camera: CameraTold::Unknown,
-                    instead: None,
-                }],
+                places: vec![Place::new(told, area, CameraTold::Unknown)],
                 is_elsewhere: is_much && may_be_camera,
                 is_sure,
                 floor,

@@ -129,8 +129,8 @@ impl BoneBeside {
 /// bone is nearest to the middle, or as near as that.
 fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<String> {
     let size = Vec2::new(size.0 as f32, size.1 as f32);
-    let half = Vec2::new(area.width as f32, area.height as f32) / 2.0;
-    let middle = Vec2::new(area.x as f32, area.y as f32) + half;
+    let [least, most] = area.corners();
+    let (half, middle) = ((most - least) / 2.0, (least + most) / 2.0);
     let mut nearest: Option<((usize, f32), String)> = None;
     for character in characters_seen(session, size) {
         let bones = character.bones.iter().map(|bone| {

@@ -22,13 +22,13 @@ const RIGHT_BELOW: f32 = 0.4;
 /// Length of a bone, by the longest one of the figure, below which it is inside of the limb that hangs on it, as at hips.
 const SHORT: f32 = 0.25;
 
-/// Whether a joint that nothing hangs on may be covered by what was elsewhere, where less of its mesh is off than of a line.
+/// How sure it has to be that a joint is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Covered {
-    /// So that it is not known to be turned.
-    Maybe,
-    /// It is turned, since turned limbs do not explain all.
-    Not,
+pub(super) enum Certainty {
+    /// Where less of the mesh of a joint that nothing hangs on is off than of a line, it may as well be covered by what was elsewhere.
+    Sure,
+    /// It is turned rather than covered: the camera is right, and what is turned for sure does not explain all.
+    Likely,
 }
 
 /// What differs of a bone.
@@ -128,11 +128,11 @@ pub(super) fn turned(
     pixels: [&[Vec2]; 2],
     owned: &Owned,
     (size, scale): (Vec2, f32),
-    covered: Covered,
+    certainty: Certainty,
 ) -> Turned {
-    let most_covered = match covered {
-        Covered::Maybe => IS_OFF,
-        Covered::Not => MESH_IS_OFF,
+    let most_covered = match certainty {
+        Certainty::Sure => IS_OFF,
+        Certainty::Likely => MESH_IS_OFF,
     };
     let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
     let reach = AT_BONE * scale;

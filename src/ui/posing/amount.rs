@@ -33,7 +33,7 @@ impl Held {
     /// Whether it scales a turned shape, which is always along the shape's own axes.
     fn scales_turned(&self) -> bool {
         match &self.drag {
-            Drag::Scale(drag) => drag.is_turned(),
+            Drag::Scale(drag) => drag.group().is_turned(),
             _ => false,
         }
     }
