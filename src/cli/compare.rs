@@ -7,7 +7,7 @@ use crate::character::{Attachments, Character};
 use crate::compare::{
     Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
-use crate::diagnose::hardly_any_triangles;
+use crate::diagnose::{NoNumbers, hardly_any_triangles};
 use crate::disk::{self, as_given, files};
 use crate::geometry::{Mesh, Picture};
 use crate::io::image;
@@ -30,8 +30,8 @@ pub struct Args {
     /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj or .txt)
     #[arg(value_name = "A")]
     a: PathBuf,
-    /// The picture or mesh that is compared with it. Of one of two meshes the vertices (v lines) are enough; A or B may be -
-    /// for standard input
+    /// The picture or mesh that is compared with it. Of one of two meshes the vertices (v lines) are enough, and those that are
+    /// no numbers (nan) differ; A or B may be - for standard input
     #[arg(value_name = "B")]
     b: PathBuf,
     /// Largest difference that is ignored: for pictures of a channel, 0 to 255 [0]; for meshes a
@@ -223,12 +223,19 @@ fn meshes(args: &Args) -> Result<(), CliError> {
     let files = files();
     let read = |path: &Path, model: Option<&Mesh>| -> Result<_, CliError> {
         let bytes = files.read(path)?;
-        let imported = match model {
-            Some(model) => read_posed_vertices(path, &bytes, model)?,
-            None => read_character_obj(path, &bytes)?,
+        let no_numbers = NoNumbers::among_numbers(&in_utf8(&bytes));
+        let readable = no_numbers.as_ref().map_or(&bytes, |found| &found.without);
+        let mut imported = match model {
+            Some(model) => read_posed_vertices(path, readable, model)?,
+            None => read_character_obj(path, readable)?,
         };
         for warning in &imported.warnings {
             output::eprint_line(format_args!("warning: {warning}"));
+        }
+        if let Some(no_numbers) = no_numbers {
+            let told = no_numbers.told(&as_given(path).to_string());
+            output::eprint_line(format_args!("warning: {told}"));
+            no_numbers.put_back_among(&mut imported.value.positions);
         }
         Ok(imported.value)
     };

@@ -144,7 +144,7 @@ fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     let files = files();
     let bytes = files.read(&args.theirs)?;
     let characters = characters(&files, &args.character)?;
-    let no_numbers = NoNumbers::find(&in_utf8(&bytes)).filter(|found| !found.are_all());
+    let no_numbers = NoNumbers::among_numbers(&in_utf8(&bytes));
     let readable = no_numbers.as_ref().map_or(&bytes, |found| &found.without);
     let as_of = |character: &Arc<Character>| {
         read_posed_vertices(&args.theirs, readable, character.bind_mesh())

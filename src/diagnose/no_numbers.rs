@@ -58,6 +58,11 @@ impl NoNumbers {
         })
     }
 
+    /// Those of a file that has others, which are numbers.
+    pub fn among_numbers(bytes: &[u8]) -> Option<Self> {
+        Self::find(bytes).filter(|found| !found.are_all())
+    }
+
     /// Whether no vertex of the file is a number.
     pub fn are_all(&self) -> bool {
         self.vertices.len() == self.all
@@ -150,17 +155,15 @@ mod tests {
         assert_eq!(String::from_utf8_lossy(&found.without), without);
         let vertices = format!("{:?}", found.vertices);
         assert_eq!(vertices, "{1: [NaN, 2.0, NaN], 2: [1.0, inf, 3.0]}");
-        assert!(!found.are_all());
-        assert!(
-            NoNumbers::find(b"v nan nan nan\nv 1 inf 2\n")
-                .unwrap()
-                .are_all()
-        );
+        let none = b"v nan nan nan\nv 1 inf 2\n";
+        assert!(NoNumbers::find(none).unwrap().are_all());
+        assert_eq!(NoNumbers::among_numbers(none), None);
         assert!(
             found
                 .told("a.obj")
                 .starts_with("a.obj:3: 2 vertices are no numbers")
         );
+        assert!(NoNumbers::among_numbers(text).is_some());
         assert_eq!(NoNumbers::find(b"v 1 2 3\nf 1 2 3\n"), None);
     }
 }

@@ -11,6 +11,31 @@ pub(super) const DRAWN: u8 = 12;
 /// Least w of a point before the eye.
 const NEAREST: f64 = 1e-6;
 
+/// Whether a point lies between the near and the far plane.
+fn is_in_depth(clip: DVec4) -> bool {
+    clip.w > NEAREST && clip.is_finite() && clip.z.abs() <= clip.w
+}
+
+/// The part of a triangle between the near and the far plane, which is what is drawn of it: the corners of a convex polygon in
+/// order, or none. After Sutherland and Hodgman, *Reentrant Polygon Clipping* (1974).
+fn in_depth(triangle: [DVec4; 3]) -> Vec<DVec4> {
+    if !triangle.iter().all(|clip| clip.is_finite()) {
+        return Vec::new();
+    }
+    let planes: [fn(DVec4) -> f64; 2] = [|clip| clip.w + clip.z, |clip| clip.w - clip.z];
+    planes.iter().fold(triangle.to_vec(), |corners, inward| {
+        let ends = corners.iter().cycle().skip(1);
+        let edges = corners.iter().zip(ends);
+        let kept = edges.flat_map(|(&from, &to)| {
+            let (start, end) = (inward(from), inward(to));
+            let crosses = (start < 0.0) != (end < 0.0);
+            let cut = crosses.then(|| from.lerp(to, start / (start - end)));
+            (start >= 0.0).then_some(from).into_iter().chain(cut)
+        });
+        kept.collect()
+    })
+}
+
 /// The part of a picture that is looked at: every so many pixels, in columns and rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Samples {
@@ -204,18 +229,27 @@ impl Silhouette {
         clip_from_model: DMat4,
         samples: Samples,
     ) -> Self {
-        let seen: Vec<Option<DVec2>> = points
+        let clips: Vec<DVec4> = points
             .iter()
-            .map(|point| {
-                let clip = clip_from_model * point.extend(1.0);
-                let is_before_the_eye = clip.w > NEAREST && clip.is_finite();
-                is_before_the_eye.then(|| samples.sample_of(clip))
-            })
+            .map(|point| clip_from_model * point.extend(1.0))
+            .collect();
+        let seen: Vec<Option<DVec2>> = clips
+            .iter()
+            .map(|&clip| is_in_depth(clip).then(|| samples.sample_of(clip)))
             .collect();
         let mut changes = vec![0; (samples.columns + 1) * samples.rows];
-        for corners in triangles {
-            if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner as usize]) {
+        for corners in triangles.iter().map(|of| of.map(|corner| corner as usize)) {
+            if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner]) {
                 samples.cover([a, b, c], &mut changes);
+            } else {
+                let inside = in_depth(corners.map(|corner| clips[corner]));
+                let inside: Vec<DVec2> =
+                    inside.iter().map(|&clip| samples.sample_of(clip)).collect();
+                if let [first, others @ ..] = &inside[..] {
+                    for pair in others.windows(2) {
+                        samples.cover([*first, pair[0], pair[1]], &mut changes);
+                    }
+                }
             }
         }
         Self::new(samples, &samples.covered(&changes))
@@ -355,4 +389,41 @@ pub(super) fn drawn_border(picture: &Picture) -> f64 {
         (all + 1, drawn + u32::from(is_drawn))
     });
     f64::from(drawn) / f64::from(all.max(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::camera::rh::proj::opengl;
+    use std::f32::consts::FRAC_PI_2;
+
+    #[test]
+    fn of_a_floor_the_part_between_the_near_and_the_far_plane_is_covered() {
+        let clip_from_model = opengl::perspective(FRAC_PI_2, 1.0, 0.1, 10.0).as_dmat4();
+        let samples = Samples::new(100, 100, 100);
+        let rows = |corners: [DVec3; 3]| {
+            let seen = Silhouette::of_mesh(&corners, &[[0, 1, 2]], clip_from_model, samples);
+            let rows = seen.is_covered.chunks(samples.columns);
+            let is_whole = |row: &[bool]| row.iter().all(|covered| *covered);
+            rows.map(is_whole).collect::<Vec<_>>()
+        };
+        // A floor one unit below the eye, from far behind it to a distance before the far plane, or beyond that.
+        for (end, depth) in [(5.0, 5.0), (9e4, 10.0)] {
+            let corners = [(-9e4, -end), (9e4, -end), (0.0, 9e4)];
+            let top = 50.0 + 50.0 / depth;
+            let expected: Vec<bool> = (0..100).map(|row| f64::from(row) + 0.5 >= top).collect();
+            assert_eq!(rows(corners.map(|(x, z)| DVec3::new(x, -1.0, z))), expected);
+        }
+        // Behind the eye or beyond the far plane nothing is.
+        for z in [5.0, -11.0] {
+            let wall = [(-999.0, -999.0), (999.0, -999.0), (0.0, 999.0)];
+            assert!(!rows(wall.map(|(x, y)| DVec3::new(x, y, z))).contains(&true));
+        }
+        let nan = [
+            DVec3::NAN,
+            DVec3::new(-9.0, 0.0, -5.0),
+            DVec3::new(9.0, 0.0, -5.0),
+        ];
+        assert!(!rows(nan).contains(&true));
+    }
 }

@@ -83,7 +83,7 @@ impl Program {
         };
         let expected = character.character.bind_mesh().positions.len();
         let bytes = files.read(path).map_err(|error| error.to_string())?;
-        let no_numbers = NoNumbers::find(&io::in_utf8(&bytes)).filter(|found| !found.are_all());
+        let no_numbers = NoNumbers::among_numbers(&io::in_utf8(&bytes));
         let readable = no_numbers.as_ref().map_or(&bytes, |found| &found.without);
         let read =
             io::read_posed_obj(path, readable, expected).map_err(|error| error.to_string())?;

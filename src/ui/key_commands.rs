@@ -326,27 +326,33 @@ pub(super) fn press(
     }
 }
 
-/// Why a command that in Blender is about the selected bones does nothing to the one that is selected; `None` where it is
-/// about something else.
+/// Why a command that in Blender is about the selected bones does nothing to the one that is selected, or to the character
+/// without one; `None` where it is about something else.
 pub(super) fn refused_of_bone(
     command: Command,
     session: &Session,
     state: &UiState,
 ) -> Option<&'static str> {
-    let of_bone = state.navigation == Navigation::Blender
+    let of_bones = state.navigation == Navigation::Blender
         && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
-        && state.shape_row_keys != Some(state.pose.tool)
-        && session.selected_joint().is_some();
-    let why = match command {
-        Command::ToggleVisible => {
-            "A bone cannot be hidden: with the Select tool (V), H hides the character"
+        && state.shape_row_keys != Some(state.pose.tool);
+    let selected = session.selected().filter(|_| of_bones)?;
+    session.scene().character(selected)?;
+    match (command, session.selected_joint()) {
+        (Command::ToggleVisible, Some(_)) => {
+            Some("A bone cannot be hidden: with the Select tool (V), H hides the character")
         }
-        Command::Duplicate => {
-            "A bone cannot be copied: with the Select tool (V), Shift+D copies the character"
+        (Command::ToggleVisible, None) => {
+            Some("No bone is selected: with the Select tool (V), H hides the character")
         }
-        _ => return None,
-    };
-    of_bone.then_some(why)
+        (Command::Duplicate, Some(_)) => {
+            Some("A bone cannot be copied: with the Select tool (V), Shift+D copies the character")
+        }
+        (Command::Duplicate, None) => {
+            Some("No bone is selected: with the Select tool (V), Shift+D copies the character")
+        }
+        _ => None,
+    }
 }
 
 /// Tells why a key does nothing, unless that is what was told last and still stands there.

@@ -286,6 +286,37 @@ fn meshes_are_compared_by_vertex() {
 }
 
 #[test]
+fn a_vertex_that_is_no_number_differs_and_all_others_are_compared() {
+    let folder = meshes();
+    let text = "v 0 0 0\nv -nan(ind) 0 0\nv 0 2 0\nf 1 2 3\n";
+    fs::write(folder.path().join("nan.obj"), text).unwrap();
+    for (pair, which) in [(["a.obj", "nan.obj"], "B"), (["nan.obj", "a.obj"], "A")] {
+        let (code, out, err) = compare(&folder, &pair);
+        assert_eq!(code, 1, "{out}{err}");
+        let warning = "warning: nan.obj:2: 1 vertex is no number (nan or infinite), which counts";
+        assert!(err.starts_with(warning), "{err}");
+        assert!(out.starts_with("differing vertices  1 of 3 by"), "{out}");
+        let found = format!("found: 1 vertex of {which} has coordinates that are not finite");
+        assert!(out.contains(&found), "{out}");
+        let arguments = [&pair[..], &["--max-pixels", "1"]].concat();
+        assert_eq!(compare(&folder, &arguments).0, 0);
+    }
+    let (_, out, _) = compare(&folder, &["a.obj", "nan.obj", "--json"]);
+    let json: Value = serde_json::from_str(&out).unwrap();
+    let numbers = [
+        &json["differing_vertices"],
+        &json["max"],
+        &json["worst"][0]["index"],
+    ];
+    assert_eq!(numbers, [&1.into(), &Value::Null, &1.into()]);
+    // Of a mesh without any numbers nothing is compared.
+    fs::write(folder.path().join("none.obj"), "v nan 0 0\nf 1 1 1\n").unwrap();
+    let (code, _, err) = compare(&folder, &["a.obj", "none.obj"]);
+    assert_eq!(code, 1);
+    assert!(err.contains("none.obj:1:3: expected a number"), "{err}");
+}
+
+#[test]
 fn the_vertices_of_either_mesh_are_enough() {
     let folder = meshes();
     fs::write(

@@ -1072,3 +1072,42 @@ fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follo
     let (outcome, text) = told(&class.graded(), "bob");
     assert!(outcome == "explained" && text.starts_with(shows), "{text}");
 }
+
+#[test]
+fn a_picture_shows_the_mesh_of_its_submission_though_a_part_of_that_lies_behind_the_camera() {
+    let class = Class::new(&["adult"]);
+    let mut tests = class.tests_file();
+    let mut picture = tests["tests"][0].clone();
+    picture["name"] = "side".into();
+    picture["kind"] = "picture".into();
+    picture["camera"] = json!([80, 10, 3]);
+    picture["size"] = json!([400, 300]);
+    tests["tests"].as_array_mut().unwrap().push(picture);
+    class.set_tests(&tests);
+    let figure = &class.tests[0].1;
+    let right = with(&[]).skin(figure);
+    // A few vertices in one place, before the camera and behind it.
+    for (name, at) in [
+        ("ann", Vec3::new(1.0, 1.0, 2.0)),
+        ("bob", Vec3::new(1.0, 1.5, 6.0)),
+    ] {
+        let mut places = right.clone();
+        places[100..130].fill(at);
+        let text = obj(&places, figure, |number| number.to_string());
+        let [mesh, picture] = ["adult-1.obj", "side.png"].map(|it| format!("class/{name}/{it}"));
+        class.write(&mesh, &text);
+        let words = [
+            "render", &mesh, "--camera", "80,10,3", "--size", "400x300", "-o", &picture,
+        ];
+        let ran = editor_in(class.path(), &words);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+    }
+    let report = class.graded();
+    for name in ["ann", "bob"] {
+        let found = result(&report, name, "side");
+        let text = found["text"].as_str().unwrap();
+        let shows =
+            "it shows adult-1.obj of the submission:\nnearly right: all but 30 of its vertices";
+        assert!(text.starts_with(shows), "{name}: {text}");
+    }
+}

@@ -30,13 +30,15 @@ fn while_a_bone_is_posed_in_the_blender_navigation_the_keys_to_hide_and_copy_lea
     let mut story = Story::start(&["models/strip.obj"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);
     story.key(Key::J);
-    let elbow = Action::View(View::SelectJoint(Some(2)));
-    story.program.carry_out(vec![elbow], &mut story.host);
     let document = story.session().document();
-    for (modifiers, key, told) in [
-        (Modifiers::NONE, Key::H, "A bone cannot be hidden"),
-        (Modifiers::SHIFT, Key::D, "A bone cannot be copied"),
+    for (joint, modifiers, key, told) in [
+        (None, Modifiers::NONE, Key::H, "No bone is selected"),
+        (None, Modifiers::SHIFT, Key::D, "No bone is selected"),
+        (Some(2), Modifiers::NONE, Key::H, "A bone cannot be hidden"),
+        (Some(2), Modifiers::SHIFT, Key::D, "A bone cannot be copied"),
     ] {
+        let select = Action::View(View::SelectJoint(joint));
+        story.program.carry_out(vec![select], &mut story.host);
         story.key_with(modifiers, key);
         assert_eq!(story.session().document(), document);
         let last = story.messages().last().unwrap().1.to_owned();
