@@ -26,7 +26,10 @@ pub struct FigureOff {
     pub ours: Vec<[u32; 2]>,
     /// The same of the figure in A.
     pub theirs: Vec<[u32; 2]>,
-    /// The same of what is right in B.
+    /// Pixels that are off of the figure in A and lie in edges and lines alone, which `theirs` leaves out; `None` where what
+    /// is behind the figure has lines itself.
+    pub thin: Option<Vec<[u32; 2]>>,
+    /// Some of the pixels that are right in B, as of those that are off.
     pub right: Vec<[u32; 2]>,
     /// How many pixels they are apart, along rows and columns, from the top left pixel on.
     pub apart: u32,
@@ -69,6 +72,7 @@ impl FigureOff {
             area: grid.area_around(ours.iter().chain(&theirs).copied())?,
             ours: spread(ours),
             theirs: spread(theirs),
+            thin: None,
             right: spread(right),
             apart,
             has_outline,
@@ -121,13 +125,26 @@ impl Pair<'_> {
             solid.extend(band.filter(is_solid));
         })
         .await;
-        FigureOff::new(
+        let found = FigureOff::new(
             grid,
             [&islands[0], &islands[1]],
             of_figures,
             solid,
             has_outline,
             same.tells_of_camera(),
-        )
+        )?;
+        // Lines of the ground are none of the figure.
+        let is_known = self.backgrounds().iter().all(Option::is_some);
+        let thin = is_known.then(|| {
+            let [mut thin, _] = off;
+            for &at in islands[0].iter().flatten() {
+                thin[at] = false;
+            }
+            let thin: Vec<usize> = (0..count).filter(|&at| thin[at]).collect();
+            let step = thin.len().div_ceil(MOST).max(1);
+            let some = thin.into_iter().step_by(step);
+            some.map(|at| grid.pixel(at)).collect()
+        });
+        Some(FigureOff { thin, ..found })
     }
 }

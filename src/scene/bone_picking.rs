@@ -174,6 +174,14 @@ pub enum Seen {
     Other(ShapeId),
 }
 
+impl Seen {
+    /// The shape that it is.
+    pub fn shape(&self) -> ShapeId {
+        let (Self::Mesh(shape, _) | Self::Other(shape)) = self;
+        *shape
+    }
+}
+
 /// What is seen at the end of `ray`; `None` if that is nothing, and where a shape is too large to find it in time.
 pub fn seen_by(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<Seen> {
     let are_large = |shape: &EvaluatedShape| shape.geometry.mesh.triangles.len() > LARGEST;

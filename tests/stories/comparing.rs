@@ -11,7 +11,8 @@ use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::Euler;
 use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::scene::{
-    Camera, CharacterDisplay, CurveDisplay, Look, ModelDisplay, ShapeColor, SurfaceVisibility,
+    BoneStyle, Camera, CharacterDisplay, CurveDisplay, Look, ModelDisplay, ShapeColor, ShapeId,
+    SurfaceVisibility,
 };
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings, course_panels};
 use egui::{Key, Modifiers, vec2};
@@ -630,6 +631,108 @@ fn a_skeleton_beside_a_picture_of_a_mesh_is_said_to_be_one() {
         let is_wrong = |text: &String| text.contains("missing") || text.contains("moved");
         assert!(!told.iter().any(is_wrong), "{told:?}");
     }
+}
+
+/// The comparison with a picture in this look of these shapes, which were changed for that by the `edit` of the first.
+fn beside_changed(
+    look: Look,
+    shapes: &[&str],
+    edit: impl FnOnce(&mut Story, ShapeId) -> Edit,
+) -> Story {
+    let mut story = Story::start(shapes);
+    show_in(&mut story, look);
+    let first = story.session().scene().shapes()[0].id;
+    let edit = edit(&mut story, first);
+    story.program.session_mut().edit(edit).unwrap();
+    story.settle();
+    keep_picture(&mut story, (800, 600));
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    story
+}
+
+#[test]
+fn a_mesh_beside_a_picture_of_its_skeleton_is_told_to_be_that_and_nothing_else() {
+    for look in [Look::Course, Look::Studio] {
+        for (shapes, name) in [
+            (&["builtin:robot", "builtin:goblet"][..], "Robot"),
+            (&["builtin:adult", "builtin:robot"], "Adult"),
+            (&["builtin:adult"], "Adult"),
+        ] {
+            for bones in [BoneStyle::Boxes, BoneStyle::Lines] {
+                let story = beside_changed(look, shapes, |story, shape| {
+                    let character = story.session().scene().character(shape).unwrap();
+                    let display = CharacterDisplay {
+                        mode: ModelDisplay::Skeleton,
+                        bones,
+                        ..character.display
+                    };
+                    Edit::SetDisplay(shape, display)
+                });
+                let told = texts(&story);
+                let begin = format!("All of {name}, in about ");
+                // Lines are not told from the ground's.
+                let may_be_lines = (look, bones) == (Look::Studio, BoneStyle::Lines);
+                let is_told = |text: &&String| {
+                    let is_skeleton = text.contains(" of the figure: A shows its skeleton.");
+                    let is_lines = || text.ends_with(" in its place, or no more than lines.");
+                    text.starts_with(&begin) && (is_skeleton || may_be_lines && is_lines())
+                };
+                assert_eq!(
+                    told.iter().filter(is_told).count(),
+                    1,
+                    "{look:?} {bones:?} {told:?}"
+                );
+                let is_wrong = |text: &String| {
+                    ["moved", "another camera", "missing", "Near "]
+                        .iter()
+                        .any(|it| text.contains(it))
+                };
+                assert!(!told.iter().any(is_wrong), "{look:?} {bones:?} {told:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_character_that_the_picture_does_not_have_is_told_to_be_missing_there() {
+    let hide = |_: &mut Story, shape| Edit::SetVisible(shape, false);
+    for look in [Look::Course, Look::Studio] {
+        for shapes in [
+            ["builtin:adult", "builtin:robot"],
+            ["builtin:adult", "builtin:goblet"],
+        ] {
+            let story = beside_changed(look, &shapes, hide);
+            let told = texts(&story);
+            // In the Studio look bones that are lines are not told from lines of the ground.
+            let how = match look {
+                Look::Studio => {
+                    " of the figure: A shows nothing in its place, or no more than lines."
+                }
+                _ => " of the figure: A shows nothing in its place.",
+            };
+            let is_told =
+                |text: &&String| text.starts_with("All of Adult, in about ") && text.ends_with(how);
+            assert_eq!(told.iter().filter(is_told).count(), 1, "{look:?} {told:?}");
+            let is_wrong =
+                |text: &String| text.contains("moved") || text.contains("another camera");
+            assert!(!told.iter().any(is_wrong), "{look:?} {told:?}");
+        }
+    }
+    // Without anything but axes in the picture, it may look elsewhere as well.
+    let story = beside_changed(Look::Course, &["builtin:adult"], |story, shape| {
+        story.program.session_mut().look(View::SetAxis(true));
+        hide(story, shape)
+    });
+    let told = texts(&story);
+    let nothing = "A shows nothing of what B does, or no more than lines: it is missing or hidden there, or A looks elsewhere.";
+    assert!(has_text(&story, nothing), "{told:?}");
+    assert!(
+        !told.iter().any(|text| text.contains("another camera")),
+        "{told:?}"
+    );
 }
 
 #[test]
@@ -1576,6 +1679,34 @@ fn a_root_that_is_moved_a_little_is_told_by_the_floor_of_the_page_from_a_camera_
     }
 }
 
+/// What is said where another camera alone explains what differs.
+const ALL_AGREES: &str = ". From there all of the outline is where A has it.";
+
+#[test]
+fn beside_another_camera_limbs_that_are_turned_are_not_said_to_agree() {
+    for (limb, degrees) in [("Left elbow", -40.0), ("Right leg", 8.0)] {
+        let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
+        show_in(&mut story, Look::Course);
+        keep_picture(&mut story, (980, 736));
+        turn_camera(&mut story, [25.0, 0.0]);
+        let mut camera = story.session().view().camera;
+        camera.radius *= 1.25;
+        story.program.session_mut().look(View::SetCamera(camera));
+        story.click("[1] Adult (ID: 1)");
+        turn_joints(&mut story, &[(limb, Vec3::Z * degrees)]);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        let is_camera = |text: &&String| text.starts_with("A is seen by another camera than B: ");
+        let camera = told.iter().find(is_camera);
+        let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
+        let agrees =
+            ". From there most of the outline is where A has it, but not all: limbs are turned";
+        assert!(camera.contains(agrees), "{camera}");
+    }
+}
+
 /// What is said of the other picture's camera beside a story whose view is turned by so many degrees, after a picture of it was
 /// kept.
 fn told_of_camera(story: &mut Story, turned_by: [f32; 2]) -> String {
@@ -1589,7 +1720,7 @@ fn told_of_camera(story: &mut Story, turned_by: [f32; 2]) -> String {
     let begin = "A is seen by another camera than B: ";
     let camera = told.iter().find_map(|text| text.strip_prefix(begin));
     let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
-    let (camera, _) = camera.split_once(". From there").expect("a sentence");
+    let (camera, _) = camera.split_once(ALL_AGREES).expect("a sentence");
     camera.to_owned()
 }
 

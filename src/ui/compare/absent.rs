@@ -103,6 +103,7 @@ mod tests {
             area: "0,0,1020,120".parse().unwrap(),
             ours: Vec::new(),
             theirs: theirs.iter().map(|it| it.pixel.into()).collect(),
+            thin: None,
             right: Vec::new(),
             apart: 3,
             has_outline: true,

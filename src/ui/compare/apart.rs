@@ -15,12 +15,15 @@ use crate::scene::Camera;
 /// What is told of a camera that the floor alone shows to be another one.
 const FLOOR_ELSEWHERE: &str = "A is seen by another camera than B: its floor is elsewhere as well.";
 
+/// What is told of a picture that shows nothing of what is in the live view.
+const NOTHING: &str = "A shows nothing of what B does, or no more than lines: it is missing or hidden there, or A looks elsewhere.";
+
 /// What a place in which pictures differ tells of the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CameraTold {
     /// It is right, for a part of the scene differs.
     Right,
-    /// The other picture has another one.
+    /// The other picture has another one, or may have, which the place says.
     Other,
     /// It may be either.
     Unknown,
@@ -163,16 +166,21 @@ fn seen_by_other_camera(session: &Session, off: &FigureOff, size: (u32, u32)) ->
 fn places_of(parts: Vec<Part>) -> Vec<Place> {
     let places = parts.into_iter().map(|part| {
         let (name, share) = (&part.name, about(part.percent));
+        let camera = match part.kind {
+            Kind::All => CameraTold::Other,
+            _ => CameraTold::Right,
+        };
         let (told, instead) = match part.kind {
             Kind::Character(how) => (whole(name, &share, how.map(How::in_words)), None),
             Kind::Shape(how) => (near(name, &share, how.map(How::in_words)), None),
             Kind::Limb { instead } => (near(name, &share, None), instead),
             Kind::Absent => (absent(name, &share), None),
+            Kind::All => (NOTHING.to_owned(), None),
         };
         Place {
             told,
             area: part.area,
-            camera: CameraTold::Right,
+            camera,
             instead,
         }
     });
@@ -254,6 +262,7 @@ mod tests {
             area: "240,90,120,120".parse().unwrap(),
             ours: Vec::new(),
             theirs: theirs.filter(|pixel| !right.contains(pixel)).collect(),
+            thin: None,
             right,
             apart: 3,
             has_outline: true,

@@ -5,6 +5,7 @@ use super::limbs::Limb;
 use super::owned::{Owned, seen_at};
 use super::parts::Kind;
 use super::shapes_seen::ShapeSeen;
+use crate::compare::FigureOff;
 use crate::editor::Session;
 use crate::scene::Seen;
 use glam::Vec2;
@@ -40,8 +41,13 @@ impl Candidate<'_> {
         }
     }
 
-    /// Its name, and what it is where these pixels of the live view are off, and those of the other picture.
-    pub fn told(self, pixels: &[Vec<(u32, u32)>; 2], owned: &Owned) -> (String, Kind) {
+    /// Its name, and what it is where these pixels of what is `off` in the live view are its own, and those of the other picture.
+    pub fn told(
+        self,
+        pixels: &[Vec<(u32, u32)>; 2],
+        owned: &Owned,
+        off: &FigureOff,
+    ) -> (String, Kind) {
         match self {
             Self::Limb(limb) => {
                 let instead = limb.instead;
@@ -49,10 +55,10 @@ impl Candidate<'_> {
             }
             Self::Shape(shape) => {
                 let kind = match shape.is_character {
-                    true => Kind::Character(how_of_character(shape.id, owned, pixels)),
+                    true => Kind::Character(how_of_character(shape.id, owned, pixels, off)),
                     false => {
-                        let off = owned.off_of_other(shape.id).unwrap_or(1.0);
-                        Kind::Shape(how_of_shape(pixels, shape.is_curve.then_some(off)))
+                        let share = owned.off_of_other(shape.id).unwrap_or(1.0);
+                        Kind::Shape(how_of_shape(pixels, shape.is_curve.then_some(share)))
                     }
                 };
                 (shape.name.to_owned(), kind)
@@ -64,15 +70,25 @@ impl Candidate<'_> {
 /// The index of the candidate that is nearest to a pixel, and how far that is by how far it reaches: 1 at most where it is.
 pub(super) type Nearest = Option<(usize, f32)>;
 
-/// The candidate nearest to a pixel of those that `may_be` there.
+/// The candidate nearest to a pixel of those that `may_be` there. Where boxes round shapes lie over one another, it is the shape that
+/// is `seen` there in the live view.
 pub(super) fn nearest(
     candidates: &[Candidate],
     pixel: Vec2,
     may_be: impl Fn(&Candidate) -> bool,
+    seen: impl FnOnce() -> Option<Seen>,
 ) -> Nearest {
     let all = candidates.iter().enumerate().filter(|(_, it)| may_be(it));
     let distances = all.map(|(part, it)| (part, it.distance(pixel)));
-    distances.min_by(|(_, a), (_, b)| a.total_cmp(b))
+    let nearest = distances.clone().min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    let mut as_near = distances.filter(|(_, distance)| *distance == nearest.1);
+    let is_one = as_near.clone().nth(1).is_none();
+    let seen = if is_one { None } else { seen() }.map(|seen| seen.shape());
+    let is_seen = |part: usize| match &candidates[part] {
+        Candidate::Limb(_) => false,
+        Candidate::Shape(shape) => Some(shape.id) == seen,
+    };
+    as_near.find(|(part, _)| is_seen(*part)).or(Some(nearest))
 }
 
 /// The same for a pixel of a live view of `size` pixels, where none is near: the limb whose joint moves what is seen there, however
@@ -83,10 +99,11 @@ pub(super) fn moved_or_nearest(
     session: &Session,
     size: Vec2,
 ) -> Nearest {
-    let nearest = nearest(candidates, pixel, |_| true);
+    let seen = || seen_at(session, pixel, size);
+    let nearest = nearest(candidates, pixel, |_| true, seen);
     let is_near = nearest.is_some_and(|(_, distance)| distance <= 1.0);
     let moved = || {
-        let mesh = seen_at(session, pixel, size).filter(|_| !is_near)?;
+        let mesh = seen().filter(|_| !is_near)?;
         let part = candidates.iter().position(|it| it.moves(&mesh))?;
         Some((part, 1.0))
     };

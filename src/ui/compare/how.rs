@@ -1,7 +1,8 @@
 //! How a shape differs that is off at some pixels.
 
 use super::owned::Owned;
-use crate::compare::Area;
+use super::skeleton_shown::shows_skeleton;
+use crate::compare::{Area, FigureOff};
 use crate::scene::ShapeId;
 use glam::Vec2;
 use std::collections::HashSet;
@@ -21,11 +22,25 @@ pub(super) enum How {
     PlaceOrLines,
     /// The other picture has nothing there.
     Missing,
-    /// The same of a surface, of which single lines count as nothing.
+    /// The same of a surface or a skeleton, of which single lines count as nothing.
     MissingOrLines,
+    /// The other picture has the bones of a character in place of its mesh.
+    Skeleton,
 }
 
 impl How {
+    /// Whether the other picture has nothing like it there, so that all of it differs and nothing in its place.
+    pub fn is_of_ours_alone(self) -> bool {
+        match self {
+            Self::Missing | Self::MissingOrLines | Self::Skeleton => true,
+            Self::Color
+            | Self::ColorAndMore
+            | Self::Place
+            | Self::PlaceOrPoints
+            | Self::PlaceOrLines => false,
+        }
+    }
+
     /// The same in words.
     pub fn in_words(self) -> &'static str {
         match self {
@@ -40,6 +55,9 @@ impl How {
             }
             Self::Missing => "A shows nothing in its place",
             Self::MissingOrLines => "A shows nothing in its place, or no more than lines",
+            Self::Skeleton => {
+                "A shows its skeleton. Choose Skeletal Model for Model Display Mode to compare that"
+            }
         }
     }
 }
@@ -55,17 +73,43 @@ const RECOLORED_PLACE: f64 = 0.8;
 /// … and share of what is seen of it that is off, then: one that is moved by a little keeps its color where it still is.
 const RECOLORED: f32 = 0.95;
 
-/// How a character differs of which more than limbs does, where it has another color; `None` where it stands elsewhere.
+/// Share of what is seen of a character that the other picture shows elsewhere from which on it may be that: in the Studio look 0.03
+/// lay about the feet of one that is missing.
+const ELSEWHERE: f64 = 0.1;
+
+/// Share of it that has something in its place from which on the other picture shows something of it: so it was 0.023 of one that
+/// is missing, and 0.08 where bones are lines.
+const EMPTY: f64 = 0.05;
+
+/// How a character differs of which more than limbs does, where it has another color or is shown otherwise, or not at all; `None`
+/// where it stands elsewhere. `off` are pixels of all that differs, and the others those of the character.
 pub(super) fn how_of_character(
     character: ShapeId,
     owned: &Owned,
     [ours, theirs]: &[Vec<(u32, u32)>; 2],
+    off: &FigureOff,
 ) -> Option<How> {
-    let off = owned.off_of(character, |_| true)?;
-    if off < RECOLORED {
+    let of_mesh = owned.off_of(character, |_| true);
+    if of_mesh.or_else(|| owned.off_of_other(character))? < RECOLORED {
         return None;
     }
+    if of_mesh.is_none() {
+        return is_less(theirs, NOTHING, ours).then_some(How::MissingOrLines);
+    }
+    let (session, size) = owned.view();
+    let is_inside = |pixel: &(u32, u32)| owned.is_seen_at([pixel.0, pixel.1], character);
+    let inside: Vec<_> = theirs.iter().copied().filter(is_inside).collect();
+    let outside: Vec<_> = theirs.iter().filter(|pixel| !is_inside(pixel)).collect();
+    let is_in_place = is_less(&outside, ELSEWHERE, ours);
+    let thin = off.thin.iter().flatten();
+    let thin = thin.map(|&[x, y]| (x, y)).filter(is_inside);
+    let all: Vec<_> = inside.iter().copied().chain(thin).collect();
     match share_of_both(ours, theirs) {
+        _ if is_in_place && off.thin.is_some() && is_less(&all, EMPTY, ours) => Some(How::Missing),
+        _ if is_in_place && shows_skeleton(session, character, &all, off.apart, size) => {
+            Some(How::Skeleton)
+        }
+        _ if is_in_place && is_less(&inside, EMPTY, ours) => Some(How::MissingOrLines),
         SAME_PLACE.. => Some(How::Color),
         RECOLORED_PLACE.. => Some(How::ColorAndMore),
         _ => None,
@@ -82,6 +126,11 @@ fn share_of_both(ours: &[(u32, u32)], theirs: &[(u32, u32)]) -> f64 {
 /// Share of what it covers that the other picture shows something at which has nothing there.
 const NOTHING: f64 = 0.02;
 
+/// Whether pixels are fewer than this share of others.
+fn is_less<P>(pixels: &[P], share: f64, others: &[(u32, u32)]) -> bool {
+    (pixels.len() as f64) < share * others.len() as f64
+}
+
 /// Share of what is seen of a surface that is off where the other picture shows it as lines: of one that was moved by a tenth of its
 /// height it was 0.51.
 const LINES_OFF: f32 = 0.97;
@@ -93,7 +142,7 @@ pub(super) fn how_of_shape(
     off_of_curve: Option<f32>,
 ) -> Option<How> {
     let how = match share_of_both(ours, theirs) {
-        _ if (theirs.len() as f64) < NOTHING * ours.len() as f64 => How::Missing,
+        _ if is_less(theirs, NOTHING, ours) => How::Missing,
         SAME_PLACE.. => How::Color,
         ..=OTHER_PLACE => How::Place,
         _ => return None,

@@ -30,6 +30,7 @@ mod pictures;
 mod place;
 mod settings;
 mod shapes_seen;
+mod skeleton_shown;
 mod surface;
 mod turned;
 

@@ -11,6 +11,7 @@ use super::shapes_seen::shapes_seen;
 use super::turned::Certainty;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
+use crate::scene::Seen;
 use glam::Vec2;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
@@ -48,6 +49,30 @@ pub(super) enum Kind {
     Character(Option<How>),
     /// Something in the other picture where the live view has nothing; its name is that of a hidden shape, or empty.
     Absent,
+    /// All that the live view shows, of which the other picture has nothing.
+    All,
+}
+
+impl Kind {
+    /// Whether what differs is in the live view alone, so that no camera that is elsewhere explains it.
+    fn is_of_ours_alone(&self) -> bool {
+        match self {
+            Self::Shape(how) | Self::Character(how) => how.is_some_and(How::is_of_ours_alone),
+            Self::Limb { .. } | Self::Absent => false,
+            Self::All => true,
+        }
+    }
+
+    /// Share of the figure that these pixels are which are off of it, in percent.
+    fn percent(&self, [ours, theirs]: &Pixels, off: &FigureOff) -> f64 {
+        let figure = (off.ours.len() + off.right.len()) as f64;
+        let share = |pixels: usize| 100.0 * pixels as f64 / figure;
+        match self.is_of_ours_alone() {
+            true => share(ours.len()),
+            // The figure is as large in both pictures.
+            false => 0.5 * share(ours.len() + theirs.len()),
+        }
+    }
 }
 
 /// The parts that differ, and what is known beside them.
@@ -62,6 +87,18 @@ pub(super) struct Parts {
 
 /// The parts that differ in a live view of `size` pixels.
 pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Parts {
+    if off.has_outline && off.theirs.is_empty() && off.right.is_empty() {
+        let all = Part {
+            name: String::new(),
+            kind: Kind::All,
+            area: off.area,
+            percent: 100.0,
+        };
+        return Parts {
+            all: vec![all],
+            is_shape_still: false,
+        };
+    }
     let size = Vec2::new(size.0 as f32, size.1 as f32);
     let [ours, theirs, right] = [&off.ours, &off.theirs, &off.right]
         .map(|all| -> Vec<Vec2> { all.iter().map(at).collect() });
@@ -126,7 +163,7 @@ impl Differing<'_> {
         let mut candidates: Vec<Candidate> = of_limbs.chain(shapes.map(Candidate::Shape)).collect();
         let of_ours = self.ours.iter().map(|&pixel| {
             let nearest = match certainty {
-                Certainty::Sure => nearest(&candidates, pixel, |_| true),
+                Certainty::Sure => nearest(&candidates, pixel, |_| true, || self.seen_at(pixel)),
                 Certainty::Likely => moved_or_nearest(&candidates, pixel, self.session, self.size),
             };
             (pixel, nearest)
@@ -146,7 +183,8 @@ impl Differing<'_> {
             }
         }
         let of_theirs = self.theirs.iter().map(|&pixel| {
-            let nearest = nearest(&candidates, pixel, |it| it.may_have_been_at(pixel));
+            let may_be = |it: &Candidate| it.may_have_been_at(pixel);
+            let nearest = nearest(&candidates, pixel, may_be, || self.seen_at(pixel));
             Attributed {
                 pixel: whole(pixel),
                 part: nearest.map(|(part, _)| part),
@@ -164,7 +202,8 @@ impl Differing<'_> {
             }
         }
         let mut parts = self.parts_of(candidates, pixels);
-        let of_figure: f64 = parts.iter().map(|part| part.percent).sum();
+        let may_be_camera = parts.iter().filter(|part| !part.kind.is_of_ours_alone());
+        let of_figure: f64 = may_be_camera.map(|part| part.percent).sum();
         if parts.len() + absent.len() > MOST || of_figure >= FIGURE && !is_camera_right {
             return Vec::new();
         }
@@ -189,12 +228,17 @@ impl Differing<'_> {
         };
         // No shape is where the ground is that has sunk or risen with the lowest one.
         let of_shapes = || {
-            let is_of_shape = |at: &&Vec2| seen_at(self.session, **at, self.size).is_some();
+            let is_of_shape = |at: &&Vec2| self.seen_at(**at).is_some();
             self.ours.iter().filter(is_of_shape).count()
         };
         explained >= EXPLAINED * ours as f32
             || are_strays()
             || explained >= EXPLAINED * of_shapes() as f32
+    }
+
+    /// What is seen at a pixel of the live view.
+    fn seen_at(&self, pixel: Vec2) -> Option<Seen> {
+        seen_at(self.session, pixel, self.size)
     }
 
     /// How many pixels the other picture shows.
@@ -211,13 +255,11 @@ impl Differing<'_> {
             Candidate::Shape(shape) => count < LITTLE * all && self.owned.is_mostly_right(shape.id),
             Candidate::Limb(_) => false,
         };
-        // The figure is as large in both pictures.
-        let of_both = 2.0 * (self.ours.len() + self.right.len()) as f64;
         let parts = candidates.into_iter().zip(pixels);
         let parts = parts.filter(|(candidate, pixels)| !is_covered(candidate, count(pixels)));
         let parts = parts.filter_map(|(candidate, pixels)| {
-            let percent = 100.0 * count(&pixels) / of_both;
-            let (name, kind) = candidate.told(&pixels, &self.owned);
+            let (name, kind) = candidate.told(&pixels, &self.owned, self.off);
+            let percent = kind.percent(&pixels, self.off);
             let shown = match kind {
                 Kind::Limb { .. } => pixels,
                 _ => pixels.map(|of| without_strays(&of, self.off.apart)),
@@ -263,16 +305,15 @@ fn recolored_alone(session: &Session, off: &FigureOff, owned: &Owned) -> Option<
     let (Some(shape), None) = (visible.next(), visible.next()) else {
         return None;
     };
-    let pixels = [&off.ours, &off.theirs].map(|all| all.iter().map(|&[x, y]| (x, y)).collect());
-    let how = how_of_character(shape.id, owned, &pixels)?;
-    let count = |pixels: &[[u32; 2]]| pixels.len() as f64;
-    let percent = 100.0 * (count(&off.ours) + count(&off.theirs))
-        / (2.0 * (count(&off.ours) + count(&off.right)));
+    let pixels: Pixels =
+        [&off.ours, &off.theirs].map(|all| all.iter().map(|&[x, y]| (x, y)).collect());
+    let how = how_of_character(shape.id, owned, &pixels, off)?;
+    let kind = Kind::Character(Some(how));
     Some(Part {
         name: shape.name.clone(),
-        kind: Kind::Character(Some(how)),
         area: off.area,
-        percent,
+        percent: kind.percent(&pixels, off),
+        kind,
     })
 }
 
@@ -332,6 +373,7 @@ mod tests {
             area: around(&cube).unwrap(),
             theirs: [&cube[..], &line].concat(),
             ours: cube.clone(),
+            thin: None,
             right: aside,
             apart: 3,
             has_outline: true,

@@ -2,6 +2,7 @@
 
 use super::apart::CameraTold;
 use super::bones_seen::characters_seen;
+use super::other_camera::OtherCamera;
 use crate::character::Joint;
 use crate::compare::{Area, sentence};
 use crate::editor::Session;
@@ -81,10 +82,17 @@ pub(super) fn much_differs(place: &str) -> String {
     ))
 }
 
-/// Sentence about all that is drawn, which is where the other picture has it when a camera sees it that differs so, in words.
-pub(super) fn seen_from_elsewhere(camera: &str) -> String {
+/// Sentence about what is drawn, all or most of which is where the other picture has it when another camera sees it.
+pub(super) fn seen_from_elsewhere(camera: &OtherCamera) -> String {
+    let agrees = match camera.explains_all {
+        true => "all of the outline is where A has it",
+        false => {
+            "most of the outline is where A has it, but not all: limbs are turned as well, or shapes differ"
+        }
+    };
     format!(
-        "A is seen by another camera than B: {camera}. From there all that is drawn is where A has it. Or all of it is turned, moved or scaled."
+        "A is seen by another camera than B: {}. From there {agrees}. Or all of it is turned, moved or scaled.",
+        camera.told
     )
 }
 
