@@ -1,5 +1,5 @@
 use super::Area;
-use super::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
+use super::pair::{DRAWN_THRESHOLD, Pair, Pixel};
 use crate::geometry::Picture;
 use crate::steps::{Pace, at_once};
 use serde::Serialize;
@@ -85,7 +85,7 @@ impl Pair<'_> {
             let pixels = self.a()[band.clone()].iter().zip(&self.b()[band.clone()]);
             let pixels = pixels.zip(&self.kept()[band]);
             for ((&a, &b), _) in pixels.filter(|(_, kept)| **kept) {
-                let drawn = is_drawn(a, background_a) || is_drawn(b, background_b);
+                let drawn = self.is_drawn(a, background_a) || self.is_drawn(b, background_b);
                 sums.add(a, b, drawn);
             }
         })

@@ -4,7 +4,7 @@ use super::Area;
 use super::PixelGrid;
 use super::differences::difference;
 use super::exactly_same::ExactlySame;
-use super::pair::{DRAWN_THRESHOLD, Pair};
+use super::pair::Pair;
 use crate::steps::Pace;
 
 /// Share of a figure that may differ so in the smallest places, which are passed over: in one that is right a thousandth does,
@@ -94,7 +94,7 @@ impl Pair<'_> {
         pace.bands(count, |band| {
             for at in band.filter(|&at| self.kept()[at]) {
                 let drawn = self.figures_at(at);
-                let differs = difference(a[at], b[at]) > DRAWN_THRESHOLD;
+                let differs = difference(a[at], b[at]) > self.drawn_above();
                 for (off, drawn) in off.iter_mut().zip(drawn) {
                     off[at] = drawn && differs;
                     of_figures += usize::from(drawn);

@@ -1,6 +1,6 @@
 //! Pictures with different backgrounds, which are compared as if they had the same one.
 
-use super::pair::{DRAWN_THRESHOLD, Pair, Pixel, distance, is_drawn};
+use super::pair::{DRAWN_THRESHOLD, Pair, Pixel, distance};
 use crate::steps::Pace;
 
 /// What is as large as a corner, 2×2 pixels, is no line.
@@ -30,7 +30,7 @@ impl Pair<'_> {
             if !self.kept()[index] {
                 return b;
             }
-            let in_neither = !is_drawn(a, Some(in_a)) && !is_drawn(b, Some(in_b));
+            let in_neither = !self.is_drawn(a, Some(in_a)) && !self.is_drawn(b, Some(in_b));
             if in_neither || is_behind(b) && is_patch(index) {
                 return moved_by(b, in_b, in_a);
             }

@@ -14,8 +14,9 @@ use std::path::PathBuf;
 impl Program {
     /// Begins a comparison with the picture `reference` from the file `path`: in the Studio look if that is what
     /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's for a
-    /// screenshot of its page or of the view there, and where the document is shown in its look, and otherwise the course's. Of such a screenshot
-    /// the page the view is compared, from where the page starts if the camera has not been moved.
+    /// screenshot of its page or of the view there, and where the document is shown in its look unless the picture
+    /// has the course's background; otherwise it is the course's. Of a screenshot of the page the view is compared,
+    /// from where the page starts if the camera has not been moved.
     pub(super) fn begin_comparison(&mut self, path: PathBuf, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
@@ -28,8 +29,8 @@ impl Program {
         let look = match (studio, before) {
             _ if is_page => Look::Mannequin,
             (Some(_), _) => Look::Studio,
-            (None, Look::Mannequin) => Look::Mannequin,
-            (None, Look::Course | Look::Studio) => Look::Course,
+            (None, Look::Mannequin) if !Backdrop::is_of_course(&reference) => Look::Mannequin,
+            (None, _) => Look::Course,
         };
         self.session.look(View::SetLook(look));
         let reference = of_page.unwrap_or(reference);

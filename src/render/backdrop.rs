@@ -1,5 +1,6 @@
 //! What is behind the shapes, and the colors that are legible before it.
 
+use super::backdrop_pass::COURSE;
 use super::ground_pass::LIT;
 use crate::geometry::{GroundColors, Picture};
 use crate::scene::Look;
@@ -73,19 +74,18 @@ impl Backdrop {
     /// any other picture.
     pub fn of_studio(picture: &Picture) -> Option<Self> {
         const TOLERANCE: f32 = 3.0;
-        // Figures may reach into it.
-        const SHARE: f32 = 0.4;
-        let pixels: &[[u8; 4]] = picture.rgba.as_chunks().0;
-        let row = pixels.get(..picture.width as usize)?;
-        [Self::Dark, Self::Light].into_iter().find(|backdrop| {
-            let top = backdrop.colors(Look::Studio).top * 255.0;
-            let is_top = |[r, g, b, _]: &&[u8; 4]| {
-                let color = Vec3::new(f32::from(*r), f32::from(*g), f32::from(*b));
-                color.abs_diff_eq(top, TOLERANCE)
-            };
-            let count = row.iter().filter(is_top).count();
-            count as f32 >= SHARE * row.len().max(1) as f32
-        })
+        let shows = |backdrop: &Self| {
+            let top = backdrop.colors(Look::Studio).top;
+            shows_behind(picture, 0, top, TOLERANCE)
+        };
+        [Self::Dark, Self::Light].into_iter().find(shows)
+    }
+
+    /// Whether a picture has the background of the course's program and of the Course look, by its uppermost and its lowest row.
+    pub fn is_of_course(picture: &Picture) -> bool {
+        let rows = [0, (picture.height as usize).saturating_sub(1)];
+        rows.into_iter()
+            .all(|row| shows_behind(picture, row, Vec3::splat(COURSE), 1.0))
     }
 
     /// What figures stand on in the Studio look.
@@ -107,4 +107,21 @@ impl Backdrop {
             _ => &DARK,
         }
     }
+}
+
+/// Whether a row of a picture shows a color of what is behind figures, each channel to within so many of 255.
+fn shows_behind(picture: &Picture, row: usize, color: Vec3, tolerance: f32) -> bool {
+    // Figures may reach into it.
+    const SHARE: f32 = 0.4;
+    let pixels: &[[u8; 4]] = picture.rgba.as_chunks().0;
+    let width = picture.width as usize;
+    let Some(row) = pixels.get(row * width..(row + 1) * width) else {
+        return false;
+    };
+    let is_such = |[r, g, b, _]: &&[u8; 4]| {
+        let found = Vec3::new(f32::from(*r), f32::from(*g), f32::from(*b));
+        found.abs_diff_eq(color * 255.0, tolerance)
+    };
+    let count = row.iter().filter(is_such).count();
+    count as f32 >= SHARE * row.len().max(1) as f32
 }

@@ -10,7 +10,7 @@ use crate::scene::{Camera, Look};
 use glam::{Vec2, Vec3};
 
 /// Gray of the course's background: 0.1, which is 26 of 255.
-const COURSE: f32 = 0.1;
+pub(super) const COURSE: f32 = 0.1;
 
 /// The Mannequin look's background.
 const TEAL: [f32; 4] = [0.0, 0.3725, 0.3725, 1.0];

@@ -757,6 +757,21 @@ fn of_a_limb_that_is_turned_nothing_else_is_told() {
 }
 
 #[test]
+fn a_limb_of_a_figure_that_is_seen_from_its_unlit_side_is_told() {
+    // There it is hardly darker than the background.
+    for (joint, turned) in [
+        ("upper_arm.L", Vec3::Z * 50.0),
+        ("forearm.R", Vec3::Z * -40.0),
+        ("thigh.R", Vec3::Z * 20.0),
+    ] {
+        let turn = |story: &mut Story| turn_joints(story, &[(joint, turned)]);
+        let story = changed_beside_its_picture("robot.dae", Look::Course, turn);
+        let Some(story) = story else { return };
+        assert_eq!(places(&story), [joint], "{:?}", texts(&story));
+    }
+}
+
+#[test]
 fn how_much_of_a_comparison_is_done_is_shown_while_it_goes_on() {
     let (mut story, mut job) = judging();
     let told = |story: &Story| {
@@ -1123,6 +1138,21 @@ fn a_document_in_the_mannequin_look_is_compared_in_it() {
     assert_eq!(story.session().view().look, Look::Mannequin);
 }
 
+#[test]
+fn a_picture_in_the_course_look_is_compared_in_that_though_the_document_is_in_the_mannequin_look() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    show_in(&mut story, Look::Course);
+    keep_picture(&mut story, (300, 200));
+    show_in(&mut story, Look::Mannequin);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    assert_eq!(story.session().view().look, Look::Course);
+    judge(&mut story);
+    assert!(has_text(&story, "A and B are equal"), "{:?}", texts(&story));
+    story.click("Stop comparing");
+    assert_eq!(story.session().view().look, Look::Mannequin);
+}
+
 /// A picture of what is seen as the Virtual Mannequin's page has it, with its keyframes below.
 fn screenshot_of_page(story: &mut Story) -> Vec<u8> {
     story.save_view((300, 200), "page.png");
@@ -1409,23 +1439,27 @@ fn turn_camera(story: &mut Story, [around, above]: [f32; 2]) {
 
 /// The Virtual Mannequin's robot in its look, which was changed after a picture of it was kept that it is compared with.
 fn robot_changed_beside_its_picture(change: impl FnOnce(&mut Story)) -> Option<Story> {
-    changed_beside_its_picture("robot.dae", change)
+    changed_beside_its_picture("robot.dae", Look::Mannequin, change)
 }
 
 /// The same of another file of the Virtual Mannequin.
-fn changed_beside_its_picture(file: &str, change: impl FnOnce(&mut Story)) -> Option<Story> {
+fn changed_beside_its_picture(
+    file: &str,
+    look: Look,
+    change: impl FnOnce(&mut Story),
+) -> Option<Story> {
     let found = reference(&format!("mannequin/{file}"))?;
     let mut host = MemoryHost::default();
     host.files
         .insert(file.into(), std::fs::read(found).unwrap());
     let mut story = Story::start_at(host, &[file]);
-    show_in(&mut story, Look::Mannequin);
+    show_in(&mut story, look);
     keep_picture(&mut story, (800, 600));
     change(&mut story);
     story.key(Key::F8);
     story.choose("mine.png");
     judge(&mut story);
-    assert_eq!(story.session().view().look, Look::Mannequin);
+    assert_eq!(story.session().view().look, look);
     Some(story)
 }
 
@@ -1453,8 +1487,9 @@ fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
 fn a_limb_that_lies_beside_its_bone_is_named_where_the_floor_is_the_same() {
     for bone in ["Bone.001", "Bone.002"] {
         let turned = [(bone, Vec3::X * 30.0)];
-        let story =
-            changed_beside_its_picture("split_cube.dae", |story| turn_joints(story, &turned));
+        let story = changed_beside_its_picture("split_cube.dae", Look::Mannequin, |story| {
+            turn_joints(story, &turned)
+        });
         let Some(story) = story else { return };
         let told = texts(&story);
         let near = told.iter().filter(|text| text.starts_with("Near "));

@@ -2,7 +2,7 @@ use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR, ROUNDING, UNEXPLAINE
 use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
-use crate::compare::pair::{Pixel, is_drawn};
+use crate::compare::pair::Pixel;
 use crate::steps::Pace;
 
 /// Factors nearer to one than this are not worth mentioning.
@@ -163,7 +163,7 @@ async fn factors(pair: &Pair<'_>, pace: &Pace) -> Option<[f64; 3]> {
     for ((a, b), kept) in in_blocks(pair) {
         let (mut products_here, mut squares_here, mut pixels_here) = ([0_u32; 3], [0_u32; 3], 0);
         for ((&a, &b), &kept) in a.iter().zip(b).zip(kept) {
-            let drawn = is_drawn(a, background_a) & is_drawn(b, background_b);
+            let drawn = pair.is_drawn(a, background_a) & pair.is_drawn(b, background_b);
             let most = (0..3).fold(0, |most, channel| a[channel].max(b[channel]).max(most));
             // A factor instead of a branch, which would often be guessed wrong.
             let counts = u32::from(kept & drawn & (most < SATURATED));
@@ -224,7 +224,7 @@ async fn drawn_turns_into(
     let mut left = pair.kept().len() as u64;
     for ((a, b), kept) in in_blocks(pair) {
         for ((&a, &b), _) in a.iter().zip(b).zip(kept).filter(|(_, kept)| **kept) {
-            if is_drawn(a, background_a) || is_drawn(b, background_b) {
+            if pair.is_drawn(a, background_a) || pair.is_drawn(b, background_b) {
                 drawn += 1;
                 direct += u64::from(difference(a, b) > ROUNDING);
                 unexplained += u64::from(difference(change_a(a), change_b(b)) > ROUNDING);

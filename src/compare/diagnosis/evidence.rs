@@ -2,7 +2,7 @@ use super::Which;
 use super::axes::Axes;
 use crate::compare::Area;
 use crate::compare::differences::difference;
-use crate::compare::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
+use crate::compare::pair::{DRAWN_THRESHOLD, Pair, Pixel};
 use crate::steps::Pace;
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -132,7 +132,8 @@ impl<'a> Evidence<'a> {
                 .bands(pixels.len(), |band| {
                     let compared = pixels[band.clone()].iter().zip(&pair.kept()[band]);
                     mask.extend(
-                        compared.map(|(&pixel, &kept)| kept && is_drawn(pixel, Some(background))),
+                        compared
+                            .map(|(&pixel, &kept)| kept && pair.is_drawn(pixel, Some(background))),
                     );
                 })
                 .await;
@@ -244,7 +245,7 @@ pub(super) fn drawn_in_either(
         .zip(&pair.kept()[band])
         .filter(|(_, kept)| **kept)
         .map(|((&a, &b), _)| (a, b))
-        .filter(move |&(a, b)| is_drawn(a, background_a) || is_drawn(b, background_b))
+        .filter(move |&(a, b)| pair.is_drawn(a, background_a) || pair.is_drawn(b, background_b))
 }
 
 /// A and B at the compared pixels of a band where both show something else than their backgrounds.
@@ -254,7 +255,7 @@ pub(super) fn drawn_in_both(
 ) -> impl Iterator<Item = (Pixel, Pixel)> {
     let [background_a, background_b] = pair.backgrounds();
     drawn_in_either(pair, band)
-        .filter(move |&(a, b)| is_drawn(a, background_a) && is_drawn(b, background_b))
+        .filter(move |&(a, b)| pair.is_drawn(a, background_a) && pair.is_drawn(b, background_b))
 }
 
 #[cfg(test)]
