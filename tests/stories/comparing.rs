@@ -469,7 +469,7 @@ fn a_character_of_another_color_is_not_said_to_be_elsewhere_or_turned() {
             for (turned, how) in [
                 (
                     None,
-                    "its outline agrees, so that its color or light differs.",
+                    "its outline agrees, so that its color, its light or Model Display Mode differs.",
                 ),
                 (
                     Some("Right knee X"),
@@ -653,6 +653,28 @@ fn beside_changed(
     story
 }
 
+/// The edit that shows a character so.
+fn shown_as(story: &Story, shape: ShapeId, mode: ModelDisplay, bones: BoneStyle) -> Edit {
+    let character = story.session().scene().character(shape).unwrap();
+    let display = CharacterDisplay {
+        mode,
+        bones,
+        ..character.display
+    };
+    Edit::SetDisplay(shape, display)
+}
+
+#[test]
+fn a_mesh_beside_a_picture_that_has_bones_as_well_may_be_displayed_otherwise() {
+    let story = beside_changed(Look::Course, &["builtin:adult"], |story, shape| {
+        shown_as(story, shape, ModelDisplay::Both, BoneStyle::Boxes)
+    });
+    let told = texts(&story);
+    let how = ": its outline agrees, so that its color, its light or Model Display Mode differs.";
+    let is_told = |text: &String| text.starts_with("All of Adult, ") && text.ends_with(how);
+    assert!(told.iter().any(is_told), "{told:?}");
+}
+
 #[test]
 fn a_mesh_beside_a_picture_of_its_skeleton_is_told_to_be_that_and_nothing_else() {
     for look in [Look::Course, Look::Studio] {
@@ -663,13 +685,7 @@ fn a_mesh_beside_a_picture_of_its_skeleton_is_told_to_be_that_and_nothing_else()
         ] {
             for bones in [BoneStyle::Boxes, BoneStyle::Lines] {
                 let story = beside_changed(look, shapes, |story, shape| {
-                    let character = story.session().scene().character(shape).unwrap();
-                    let display = CharacterDisplay {
-                        mode: ModelDisplay::Skeleton,
-                        bones,
-                        ..character.display
-                    };
-                    Edit::SetDisplay(shape, display)
+                    shown_as(story, shape, ModelDisplay::Skeleton, bones)
                 });
                 let told = texts(&story);
                 let begin = format!("All of {name}, in about ");

@@ -4,9 +4,9 @@ use super::how::{how_of_character, how_of_shape};
 use super::limbs::Limb;
 use super::owned::{Owned, seen_at};
 use super::parts::Kind;
+use super::seen_in_cells::SeenInCells;
 use super::shapes_seen::ShapeSeen;
 use crate::compare::FigureOff;
-use crate::editor::Session;
 use crate::scene::Seen;
 use glam::Vec2;
 
@@ -45,7 +45,7 @@ impl Candidate<'_> {
     pub fn told(
         self,
         pixels: &[Vec<(u32, u32)>; 2],
-        owned: &Owned,
+        (owned, seen): (&Owned, &SeenInCells),
         off: &FigureOff,
     ) -> (String, Kind) {
         match self {
@@ -55,7 +55,7 @@ impl Candidate<'_> {
             }
             Self::Shape(shape) => {
                 let kind = match shape.is_character {
-                    true => Kind::Character(how_of_character(shape.id, owned, pixels, off)),
+                    true => Kind::Character(how_of_character(shape.id, (owned, seen), pixels, off)),
                     false => {
                         let share = owned.off_of_other(shape.id).unwrap_or(1.0);
                         Kind::Shape(how_of_shape(pixels, shape.is_curve.then_some(share)))
@@ -71,19 +71,19 @@ impl Candidate<'_> {
 pub(super) type Nearest = Option<(usize, f32)>;
 
 /// The candidate nearest to a pixel of those that `may_be` there. Where boxes round shapes lie over one another, it is the shape that
-/// is `seen` there in the live view.
+/// is seen there in the live view.
 pub(super) fn nearest(
     candidates: &[Candidate],
     pixel: Vec2,
     may_be: impl Fn(&Candidate) -> bool,
-    seen: impl FnOnce() -> Option<Seen>,
+    seen: &SeenInCells,
 ) -> Nearest {
     let all = candidates.iter().enumerate().filter(|(_, it)| may_be(it));
     let distances = all.map(|(part, it)| (part, it.distance(pixel)));
     let nearest = distances.clone().min_by(|(_, a), (_, b)| a.total_cmp(b))?;
     let mut as_near = distances.filter(|(_, distance)| *distance == nearest.1);
     let is_one = as_near.clone().nth(1).is_none();
-    let seen = if is_one { None } else { seen() }.map(|seen| seen.shape());
+    let seen = if is_one { None } else { seen.shape_at(pixel) };
     let is_seen = |part: usize| match &candidates[part] {
         Candidate::Limb(_) => false,
         Candidate::Shape(shape) => Some(shape.id) == seen,
@@ -91,19 +91,18 @@ pub(super) fn nearest(
     as_near.find(|(part, _)| is_seen(*part)).or(Some(nearest))
 }
 
-/// The same for a pixel of a live view of `size` pixels, where none is near: the limb whose joint moves what is seen there, however
-/// far that is from its bones.
+/// The same for a pixel of the live view, where none is near: the limb whose joint moves what is seen there, however far that is
+/// from its bones.
 pub(super) fn moved_or_nearest(
     candidates: &[Candidate],
     pixel: Vec2,
-    session: &Session,
-    size: Vec2,
+    seen: &SeenInCells,
 ) -> Nearest {
-    let seen = || seen_at(session, pixel, size);
     let nearest = nearest(candidates, pixel, |_| true, seen);
     let is_near = nearest.is_some_and(|(_, distance)| distance <= 1.0);
     let moved = || {
-        let mesh = seen().filter(|_| !is_near)?;
+        let (session, size) = seen.view();
+        let mesh = seen_at(session, pixel, size).filter(|_| !is_near)?;
         let part = candidates.iter().position(|it| it.moves(&mesh))?;
         Some((part, 1.0))
     };

@@ -1,6 +1,7 @@
 //! How a shape differs that is off at some pixels.
 
 use super::owned::Owned;
+use super::seen_in_cells::SeenInCells;
 use super::skeleton_shown::shows_skeleton;
 use crate::compare::{Area, FigureOff};
 use crate::scene::ShapeId;
@@ -12,6 +13,8 @@ use std::collections::HashSet;
 pub(super) enum How {
     /// It covers what it should, in other colors.
     Color,
+    /// The same of a character, over whose mesh bones may be drawn in one of the pictures.
+    ColorOrDisplay,
     /// It covers nearly that, in other colors: of a character also limbs are turned.
     ColorAndMore,
     /// It covers something else.
@@ -34,6 +37,7 @@ impl How {
         match self {
             Self::Missing | Self::MissingOrLines | Self::Skeleton => true,
             Self::Color
+            | Self::ColorOrDisplay
             | Self::ColorAndMore
             | Self::Place
             | Self::PlaceOrPoints
@@ -45,6 +49,9 @@ impl How {
     pub fn in_words(self) -> &'static str {
         match self {
             Self::Color => "its outline agrees, so that its color or light differs",
+            Self::ColorOrDisplay => {
+                "its outline agrees, so that its color, its light or Model Display Mode differs"
+            }
             Self::ColorAndMore => "its color or light differs, and a part of its outline",
             Self::Place => "it is moved, turned or scaled",
             Self::PlaceOrPoints => {
@@ -85,7 +92,7 @@ const EMPTY: f64 = 0.05;
 /// where it stands elsewhere. `off` are pixels of all that differs, and the others those of the character.
 pub(super) fn how_of_character(
     character: ShapeId,
-    owned: &Owned,
+    (owned, seen): (&Owned, &SeenInCells),
     [ours, theirs]: &[Vec<(u32, u32)>; 2],
     off: &FigureOff,
 ) -> Option<How> {
@@ -96,10 +103,10 @@ pub(super) fn how_of_character(
     if of_mesh.is_none() {
         return is_less(theirs, NOTHING, ours).then_some(How::MissingOrLines);
     }
-    let (session, size) = owned.view();
-    let is_inside = |pixel: &(u32, u32)| owned.is_seen_at([pixel.0, pixel.1], character);
-    let inside: Vec<_> = theirs.iter().copied().filter(is_inside).collect();
-    let outside: Vec<_> = theirs.iter().filter(|pixel| !is_inside(pixel)).collect();
+    let (session, size) = seen.view();
+    let is_inside =
+        |&(x, y): &(u32, u32)| seen.shape_at(Vec2::new(x as f32, y as f32)) == Some(character);
+    let (inside, outside): (Vec<_>, Vec<_>) = theirs.iter().copied().partition(is_inside);
     let is_in_place = is_less(&outside, ELSEWHERE, ours);
     let thin = off.thin.iter().flatten();
     let thin = thin.map(|&[x, y]| (x, y)).filter(is_inside);
@@ -110,7 +117,7 @@ pub(super) fn how_of_character(
             Some(How::Skeleton)
         }
         _ if is_in_place && is_less(&inside, EMPTY, ours) => Some(How::MissingOrLines),
-        SAME_PLACE.. => Some(How::Color),
+        SAME_PLACE.. => Some(How::ColorOrDisplay),
         RECOLORED_PLACE.. => Some(How::ColorAndMore),
         _ => None,
     }

@@ -28,6 +28,7 @@ mod panel;
 mod parts;
 mod pictures;
 mod place;
+mod seen_in_cells;
 mod settings;
 mod shapes_seen;
 mod skeleton_shown;

@@ -74,11 +74,6 @@ impl<'a> Owned<'a> {
         owned
     }
 
-    /// The live view that this is about, and its size in pixels.
-    pub fn view(&self) -> (&'a Session, Vec2) {
-        (self.session, self.size)
-    }
-
     fn seen_at(&self, pixel: Vec2) -> Option<Seen> {
         seen_at(self.session, pixel, self.size)
     }

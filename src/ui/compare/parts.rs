@@ -7,11 +7,11 @@ use super::clusters::{fill_an_area, without_strays};
 use super::how::{How, how_of_character};
 use super::limbs::{Body, limbs};
 use super::owned::{Owned, seen_at};
+use super::seen_in_cells::SeenInCells;
 use super::shapes_seen::shapes_seen;
 use super::turned::Certainty;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
-use crate::scene::Seen;
 use glam::Vec2;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
@@ -107,6 +107,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Par
         off,
         size,
         owned: Owned::new(session, [&ours, &right], size),
+        seen: SeenInCells::new(session, size, off.apart),
         ours,
         theirs,
         right,
@@ -132,6 +133,8 @@ struct Differing<'a> {
     right: Vec<Vec2>,
     /// What is seen at `ours` and at what is `right`.
     owned: Owned<'a>,
+    /// Which shape is seen where.
+    seen: SeenInCells<'a>,
 }
 
 impl Differing<'_> {
@@ -149,9 +152,9 @@ impl Differing<'_> {
         let is_camera_right = limbs.is_camera_right;
         // What a root turns is all of the figure, as what a camera shows that is elsewhere.
         if !limbs.whole.is_empty() {
-            let recolored = recolored_alone(self.session, self.off, &self.owned);
-            if recolored.is_some() || !is_camera_right {
-                return recolored.into_iter().collect();
+            let alone = self.shown_otherwise_alone();
+            if alone.is_some() || !is_camera_right {
+                return alone.into_iter().collect();
             }
         }
         let shapes = shapes_seen(self.session, self.size, &limbs.whole).into_iter();
@@ -163,8 +166,8 @@ impl Differing<'_> {
         let mut candidates: Vec<Candidate> = of_limbs.chain(shapes.map(Candidate::Shape)).collect();
         let of_ours = self.ours.iter().map(|&pixel| {
             let nearest = match certainty {
-                Certainty::Sure => nearest(&candidates, pixel, |_| true, || self.seen_at(pixel)),
-                Certainty::Likely => moved_or_nearest(&candidates, pixel, self.session, self.size),
+                Certainty::Sure => nearest(&candidates, pixel, |_| true, &self.seen),
+                Certainty::Likely => moved_or_nearest(&candidates, pixel, &self.seen),
             };
             (pixel, nearest)
         });
@@ -184,7 +187,7 @@ impl Differing<'_> {
         }
         let of_theirs = self.theirs.iter().map(|&pixel| {
             let may_be = |it: &Candidate| it.may_have_been_at(pixel);
-            let nearest = nearest(&candidates, pixel, may_be, || self.seen_at(pixel));
+            let nearest = nearest(&candidates, pixel, may_be, &self.seen);
             Attributed {
                 pixel: whole(pixel),
                 part: nearest.map(|(part, _)| part),
@@ -228,17 +231,12 @@ impl Differing<'_> {
         };
         // No shape is where the ground is that has sunk or risen with the lowest one.
         let of_shapes = || {
-            let is_of_shape = |at: &&Vec2| self.seen_at(**at).is_some();
+            let is_of_shape = |at: &&Vec2| seen_at(self.session, **at, self.size).is_some();
             self.ours.iter().filter(is_of_shape).count()
         };
         explained >= EXPLAINED * ours as f32
             || are_strays()
             || explained >= EXPLAINED * of_shapes() as f32
-    }
-
-    /// What is seen at a pixel of the live view.
-    fn seen_at(&self, pixel: Vec2) -> Option<Seen> {
-        seen_at(self.session, pixel, self.size)
     }
 
     /// How many pixels the other picture shows.
@@ -258,7 +256,7 @@ impl Differing<'_> {
         let parts = candidates.into_iter().zip(pixels);
         let parts = parts.filter(|(candidate, pixels)| !is_covered(candidate, count(pixels)));
         let parts = parts.filter_map(|(candidate, pixels)| {
-            let (name, kind) = candidate.told(&pixels, &self.owned, self.off);
+            let (name, kind) = candidate.told(&pixels, (&self.owned, &self.seen), self.off);
             let percent = kind.percent(&pixels, self.off);
             let shown = match kind {
                 Kind::Limb { .. } => pixels,
@@ -272,6 +270,26 @@ impl Differing<'_> {
             })
         });
         parts.collect()
+    }
+
+    /// The character that is alone in view, if all of it has another color, or is shown otherwise or not at all: then no camera that is
+    /// elsewhere is what differs.
+    fn shown_otherwise_alone(&self) -> Option<Part> {
+        let shapes = self.session.scene().shapes().iter();
+        let mut visible = shapes.filter(|shape| shape.visible);
+        let (Some(shape), None) = (visible.next(), visible.next()) else {
+            return None;
+        };
+        let pixels = [&self.ours, &self.theirs];
+        let pixels = pixels.map(|all| all.iter().copied().map(whole).collect());
+        let how = how_of_character(shape.id, (&self.owned, &self.seen), &pixels, self.off)?;
+        let kind = Kind::Character(Some(how));
+        Some(Part {
+            name: shape.name.clone(),
+            area: self.off.area,
+            percent: kind.percent(&pixels, self.off),
+            kind,
+        })
     }
 
     /// Something that only the other picture shows, at these pixels.
@@ -293,28 +311,6 @@ type Pixels = [Vec<(u32, u32)>; 2];
 
 fn whole(pixel: Vec2) -> (u32, u32) {
     (pixel.x as u32, pixel.y as u32)
-}
-
-/// The character that is alone in view, if all of it has another color: then no camera that is elsewhere is what differs.
-fn recolored_alone(session: &Session, off: &FigureOff, owned: &Owned) -> Option<Part> {
-    let mut visible = session
-        .scene()
-        .shapes()
-        .iter()
-        .filter(|shape| shape.visible);
-    let (Some(shape), None) = (visible.next(), visible.next()) else {
-        return None;
-    };
-    let pixels: Pixels =
-        [&off.ours, &off.theirs].map(|all| all.iter().map(|&[x, y]| (x, y)).collect());
-    let how = how_of_character(shape.id, owned, &pixels, off)?;
-    let kind = Kind::Character(Some(how));
-    Some(Part {
-        name: shape.name.clone(),
-        area: off.area,
-        percent: kind.percent(&pixels, off),
-        kind,
-    })
 }
 
 fn at(&[x, y]: &[u32; 2]) -> Vec2 {
