@@ -90,7 +90,6 @@ impl Pair<'_> {
         let mut off = [vec![false; count], vec![false; count]];
         let mut right = vec![false; count];
         let mut of_figures = 0;
-        let mut same = ExactlySame::default();
         pace.bands(count, |band| {
             for at in band.filter(|&at| self.kept()[at]) {
                 let drawn = self.figures_at(at);
@@ -100,10 +99,6 @@ impl Pair<'_> {
                     of_figures += usize::from(drawn);
                 }
                 right[at] = drawn == [true; 2] && !differs;
-                // What has one color has it from wherever it is seen.
-                if right[at] && grid.around(at).any(|near| a[near] != a[at]) {
-                    same.count(grid.pixel(at), a[at] == b[at]);
-                }
             }
         })
         .await;
@@ -120,9 +115,16 @@ impl Pair<'_> {
             of_figures = islands.iter().flatten().map(Vec::len).sum();
         }
         let mut solid = Vec::new();
+        let mut same = ExactlySame::default();
         pace.bands(count, |band| {
             let is_solid = |at: &usize| right[*at] && grid.is_solid(*at, |at| right[at]);
-            solid.extend(band.filter(is_solid));
+            for at in band.filter(is_solid) {
+                solid.push(at);
+                // What has one color has it from wherever it is seen, and an upright line, as of an axis, has it from all around.
+                if grid.around(at).any(|near| a[near] != a[at]) {
+                    same.count(grid.pixel(at), a[at] == b[at]);
+                }
+            }
         })
         .await;
         let found = FigureOff::new(
@@ -146,5 +148,34 @@ impl Pair<'_> {
             some.map(|at| grid.pixel(at)).collect()
         });
         Some(FigureOff { thin, ..found })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::test_pictures::from_gray;
+    use crate::steps::at_once;
+
+    #[test]
+    fn an_upright_line_is_the_same_from_all_around_and_makes_no_camera_right() {
+        let picture = |figure: usize| {
+            let gray = (0..120 * 90).map(|at| match (at % 120, at / 120) {
+                (60..=61, _) => 200,
+                (x, y) if (figure..figure + 30).contains(&x) && (30..60).contains(&y) => {
+                    90 + x as u8
+                }
+                _ => 0,
+            });
+            from_gray(120, &gray.collect::<Vec<u8>>())
+        };
+        let off = |a: usize, b: usize| {
+            let (a, b) = (picture(a), picture(b));
+            let pair = Pair::new(&a, &b, &[]).unwrap();
+            let found = at_once(|pace| async move { pair.paced_figure_off(&pace).await });
+            found.map(|off| off.is_camera_right)
+        };
+        assert_eq!(off(5, 80), Some(false));
+        assert_eq!(off(5, 5), None);
     }
 }

@@ -7,8 +7,8 @@ pub(super) enum Edges {
     Unknown,
     /// Hard ones leave so many pixels that differ.
     Hard(u64),
-    /// Those of fewer differences were chosen.
-    Found,
+    /// Those of fewer differences were chosen, which are so many, and whether they are smooth.
+    Found(u64, bool),
     /// The user has chosen.
     Chosen,
 }
@@ -16,20 +16,58 @@ pub(super) enum Edges {
 /// Part by which numbers of pixels that differ are alike: where the figure is elsewhere they differed by 0.005 to 0.009.
 const ALIKE: f64 = 0.1;
 
+/// Part of the differences, one in so many, from which on edges are chosen anew: where the figure was elsewhere they hardly told, and
+/// it has come to its place since.
+const LEFT_ONE_IN: u64 = 4;
+
 impl Edges {
     /// What is known, and whether the live view has smooth edges then, after so many pixels of it differ from the reference as
     /// it is drawn now, of which it may be clear whether its own edges are smooth; `None` if nothing is to be found any more.
     pub fn after(self, differing: u64, is_reference_smooth: Option<bool>) -> Option<(Self, bool)> {
         match self {
             Self::Unknown if differing > 0 => Some((Self::Hard(differing), true)),
-            Self::Unknown => Some((Self::Found, false)),
+            Self::Unknown => Some((Self::Found(0, false), false)),
             // Where the figure is elsewhere, its edges leave as much to differ either way, and the reference's own ones tell.
             Self::Hard(hard) => {
                 let are_alike = differing.abs_diff(hard) as f64 <= ALIKE * hard as f64;
                 let own = is_reference_smooth.filter(|_| are_alike);
-                Some((Self::Found, own.unwrap_or(differing < hard)))
+                let is_smooth = own.unwrap_or(differing < hard);
+                Some((Self::Found(differing.min(hard), is_smooth), is_smooth))
             }
-            Self::Found | Self::Chosen => None,
+            Self::Found(least, is_smooth) if LEFT_ONE_IN * differing < least => {
+                // The other ones are tried: hard ones first.
+                Some(match is_smooth {
+                    true => (Self::Unknown, false),
+                    false => (Self::Hard(differing), true),
+                })
+            }
+            Self::Found(..) | Self::Chosen => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The edges that are chosen after differences of these numbers of pixels one after the other, beginning with hard ones: whether the
+    /// live view is smooth after each.
+    fn chosen(differing: &[u64]) -> Vec<bool> {
+        let mut state = (Edges::Unknown, false);
+        let after = differing.iter().map(|&differing| {
+            state = state.0.after(differing, None).unwrap_or(state);
+            state.1
+        });
+        after.collect()
+    }
+
+    #[test]
+    fn edges_that_were_chosen_far_from_the_reference_are_chosen_anew_near_it() {
+        // Smooth ones leave fewer by chance; then the figure comes to its place, where hard ones leave nothing.
+        assert_eq!(chosen(&[900, 890, 100, 0]), [true, true, false, false]);
+        // Hard ones leave fewer by chance, and smooth ones nothing.
+        assert_eq!(chosen(&[890, 900, 100, 0]), [true, false, true, true]);
+        // As long as much is left, those that were chosen stay.
+        assert_eq!(chosen(&[900, 890, 800, 300, 900]), [true; 5]);
     }
 }

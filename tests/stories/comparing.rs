@@ -8,7 +8,7 @@ use editor_core::compare::Area;
 use editor_core::editor::{Edit, View};
 use editor_core::geometry::Picture;
 use editor_core::io::image::{self, PictureFormat};
-use editor_core::math::Euler;
+use editor_core::math::{Euler, Transform};
 use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::scene::{
     BoneStyle, Camera, CharacterDisplay, CurveDisplay, Look, ModelDisplay, ShapeColor, ShapeId,
@@ -769,6 +769,25 @@ fn of_a_limb_that_is_turned_nothing_else_is_told() {
             judge(&mut story);
             assert_eq!(places(&story), [joint], "{look:?}");
         }
+    }
+}
+
+#[test]
+fn a_character_that_stands_before_another_one_in_the_picture_is_told_to_be_moved() {
+    for (other, part) in [("builtin:robot", 1.0), ("builtin:adult", 0.9)] {
+        let story = beside_changed(Look::Course, &["builtin:adult", other], |story, shape| {
+            let shapes = story.session().scene().shapes();
+            let [here, there] = [0, 1].map(|shape| shapes[shape].placement.transform);
+            let moved = Transform {
+                position: here.position.lerp(there.position, part),
+                ..here
+            };
+            Edit::SetTransform(shape, moved)
+        });
+        let told = texts(&story);
+        assert_eq!(whole(&story), ["Adult"], "{other} {told:?}");
+        let is_wrong = |text: &String| text.contains("another camera");
+        assert!(!told.iter().any(is_wrong), "{other} {told:?}");
     }
 }
 

@@ -13,6 +13,7 @@ use super::turned::Certainty;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use glam::Vec2;
+use std::collections::HashSet;
 
 /// Share of what is off that parts have to have: with less something else differs, such as the camera.
 const EXPLAINED: f32 = 0.9;
@@ -172,7 +173,9 @@ impl Differing<'_> {
             (pixel, nearest)
         });
         let of_ours: Vec<(Vec2, Nearest)> = of_ours.collect();
-        if !self.is_explained(&of_ours, &limbs.trunks) {
+        let may_cover = |candidate: &Candidate| matches!(candidate, Candidate::Shape(_));
+        let may_be_covered = candidates.iter().any(may_cover);
+        if !self.is_explained(&of_ours, &limbs.trunks, may_be_covered) {
             return Vec::new();
         }
         let mut pixels = vec![[Vec::new(), Vec::new()]; candidates.len()];
@@ -217,11 +220,19 @@ impl Differing<'_> {
         parts
     }
 
-    /// Whether the candidates explain what is off of the live view, or what hangs on joints of these `trunks` does.
-    fn is_explained(&self, of_ours: &[(Vec2, Nearest)], trunks: &[Body]) -> bool {
+    /// Whether the candidates explain what is off of the live view, or what hangs on joints of these `trunks` does. What
+    /// `may_be_covered` is also explained by a shape that stands before it in the other picture.
+    fn is_explained(
+        &self,
+        of_ours: &[(Vec2, Nearest)],
+        trunks: &[Body],
+        may_be_covered: bool,
+    ) -> bool {
+        let theirs: HashSet<(u32, u32)> = self.theirs.iter().copied().map(whole).collect();
         let is_explained = |(pixel, nearest): &&(Vec2, Nearest)| {
             nearest.is_some_and(|(_, distance)| distance <= 1.0)
                 || trunks.iter().any(|trunk| trunk.distance(*pixel) <= 1.0)
+                || may_be_covered && theirs.contains(&whole(*pixel))
         };
         let explained = of_ours.iter().filter(is_explained).count() as f32;
         let ours = self.ours.len();
