@@ -11,6 +11,7 @@ mod area;
 mod diagnosis;
 mod differences;
 mod exactly_same;
+mod faint;
 mod figure_off;
 mod filters;
 mod flip;

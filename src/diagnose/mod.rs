@@ -6,6 +6,7 @@ mod angle_formula;
 mod any_order;
 mod beside;
 mod choices;
+mod clipping;
 mod diagnosis;
 mod diagnosis_words;
 mod elsewhere;

@@ -1,5 +1,6 @@
 //! Silhouettes: which pixels of a picture a figure covers.
 
+use super::clipping::{NEAREST, in_depth, is_in_depth};
 use crate::compare::{Area, difference, outline_placement};
 use crate::geometry::Picture;
 use glam::{DMat4, DVec2, DVec3, DVec4};
@@ -8,33 +9,6 @@ use std::collections::HashMap;
 /// Difference of a channel from the background's above which a pixel is drawn: more than what lossy
 /// formats add, and less than what is left of a figure's color in the shade.
 pub(super) const DRAWN: u8 = 12;
-/// Least w of a point before the eye.
-const NEAREST: f64 = 1e-6;
-
-/// Whether a point lies between the near and the far plane.
-fn is_in_depth(clip: DVec4) -> bool {
-    clip.w > NEAREST && clip.is_finite() && clip.z.abs() <= clip.w
-}
-
-/// The part of a triangle between the near and the far plane, which is what is drawn of it: the corners of a convex polygon in
-/// order, or none. After Sutherland and Hodgman, *Reentrant Polygon Clipping* (1974).
-fn in_depth(triangle: [DVec4; 3]) -> Vec<DVec4> {
-    if !triangle.iter().all(|clip| clip.is_finite()) {
-        return Vec::new();
-    }
-    let planes: [fn(DVec4) -> f64; 2] = [|clip| clip.w + clip.z, |clip| clip.w - clip.z];
-    planes.iter().fold(triangle.to_vec(), |corners, inward| {
-        let ends = corners.iter().cycle().skip(1);
-        let edges = corners.iter().zip(ends);
-        let kept = edges.flat_map(|(&from, &to)| {
-            let (start, end) = (inward(from), inward(to));
-            let crosses = (start < 0.0) != (end < 0.0);
-            let cut = crosses.then(|| from.lerp(to, start / (start - end)));
-            (start >= 0.0).then_some(from).into_iter().chain(cut)
-        });
-        kept.collect()
-    })
-}
 
 /// The part of a picture that is looked at: every so many pixels, in columns and rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -229,20 +203,15 @@ impl Silhouette {
         clip_from_model: DMat4,
         samples: Samples,
     ) -> Self {
-        let clips: Vec<DVec4> = points
-            .iter()
-            .map(|point| clip_from_model * point.extend(1.0))
-            .collect();
-        let seen: Vec<Option<DVec2>> = clips
-            .iter()
-            .map(|&clip| is_in_depth(clip).then(|| samples.sample_of(clip)))
-            .collect();
+        let clip = |point: &DVec3| clip_from_model * point.extend(1.0);
+        let seen = |clip: DVec4| is_in_depth(clip).then(|| samples.sample_of(clip));
+        let seen: Vec<Option<DVec2>> = points.iter().map(|point| seen(clip(point))).collect();
         let mut changes = vec![0; (samples.columns + 1) * samples.rows];
         for corners in triangles.iter().map(|of| of.map(|corner| corner as usize)) {
             if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner]) {
                 samples.cover([a, b, c], &mut changes);
             } else {
-                let inside = in_depth(corners.map(|corner| clips[corner]));
+                let inside = in_depth(corners.map(|corner| clip(&points[corner])));
                 let inside: Vec<DVec2> =
                     inside.iter().map(|&clip| samples.sample_of(clip)).collect();
                 if let [first, others @ ..] = &inside[..] {

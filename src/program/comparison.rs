@@ -324,7 +324,11 @@ impl Comparison {
 
     /// Chooses the edges of the live view, of whose pixels so many differ as it is drawn now.
     fn choose_edges(&mut self, differing: u64) {
-        if let Some(found) = self.edges.after(differing, self.is_reference_smooth) {
+        if let Some(found) = self.edges.after(
+            differing,
+            self.settings.smooth_edges,
+            self.is_reference_smooth,
+        ) {
             (self.edges, self.settings.smooth_edges) = found;
         }
     }

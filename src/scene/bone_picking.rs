@@ -83,8 +83,7 @@ pub fn pick_bone(
         .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
         .filter(|(_, evaluated)| evaluated.pickable);
     let hits = characters.flat_map(|(_, shape)| {
-        let determinant = shape.world_from_model.determinant();
-        let radius = BONE_RADIUS * determinant.abs().cbrt();
+        let radius = BONE_RADIUS * shape.scale();
         bones_in_world(scene, shape)
             .enumerate()
             .filter_map(move |(bone, (joint, start, end))| {
@@ -174,21 +173,18 @@ pub enum Seen {
     Other(ShapeId),
 }
 
-impl Seen {
-    /// The shape that it is.
-    pub fn shape(&self) -> ShapeId {
-        let (Self::Mesh(shape, _) | Self::Other(shape)) = self;
-        *shape
-    }
-}
-
-/// What is seen at the end of `ray`; `None` if that is nothing, and where a shape is too large to find it in time.
-pub fn seen_by(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<Seen> {
+/// The shape that is seen at the end of `ray`; `None` if that is nothing, and where a shape is too large to find it in time.
+pub fn shape_seen_by(evaluated: &Evaluated, ray: &Ray) -> Option<ShapeId> {
     let are_large = |shape: &EvaluatedShape| shape.geometry.mesh.triangles.len() > LARGEST;
     if evaluated.shapes.iter().any(are_large) {
         return None;
     }
-    let (id, _) = pick_shape(evaluated, ray)?;
+    pick_shape(evaluated, ray).map(|(id, _)| id)
+}
+
+/// What is seen at the end of `ray`; `None` where no shape is ([`shape_seen_by`]).
+pub fn seen_by(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<Seen> {
+    let id = shape_seen_by(evaluated, ray)?;
     let character = scene.character(id);
     let shows_mesh = |character: &&CharacterShape| character.display.mode != ModelDisplay::Skeleton;
     let Some(character) = character.filter(shows_mesh) else {

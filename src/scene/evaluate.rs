@@ -195,6 +195,11 @@ impl EvaluatedShape {
         self.geometry.bounds().transformed(self.world_from_model)
     }
 
+    /// How many times as long as in the model lengths are in the world, in the mean of all directions.
+    pub fn scale(&self) -> f32 {
+        self.world_from_model.determinant().abs().cbrt()
+    }
+
     /// Whether `ray`, in the world, meets the surface.
     pub fn is_met_by(&self, ray: &Ray) -> bool {
         let ray = ray.transformed(self.world_from_model.inverse());

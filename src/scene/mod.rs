@@ -27,7 +27,9 @@ mod turntable;
 mod vertex_numbers;
 mod view_settings;
 
-pub use bone_picking::{BoneHit, Seen, bones_in_world, pick_bone, seen_by, turned_there};
+pub use bone_picking::{
+    BoneHit, Seen, bones_in_world, pick_bone, seen_by, shape_seen_by, turned_there,
+};
 pub use box_picking::{pick_in_box, pick_joints_in_box};
 pub use camera::Camera;
 pub use camera_fit::FitArea;

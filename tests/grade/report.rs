@@ -1012,8 +1012,8 @@ fn pictures_that_are_swapped_between_tests_are_said_to_be_and_what_is_no_number_
     }
 }
 
-#[test]
-fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follows_it() {
+/// A class whose test of a mesh has one of a picture of that, called `side`, beside it.
+fn class_with_picture() -> Class {
     let class = Class::new(&["adult"]);
     let mut tests = class.tests_file();
     let mut picture = tests["tests"][0].clone();
@@ -1023,6 +1023,23 @@ fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follo
     picture["size"] = json!([400, 300]);
     tests["tests"].as_array_mut().unwrap().push(picture);
     class.set_tests(&tests);
+    class
+}
+
+/// Hands in a mesh, and its own picture.
+fn hand_in_with_picture(class: &Class, name: &str, text: &str) {
+    let [mesh, picture] = ["adult-1.obj", "side.png"].map(|it| format!("class/{name}/{it}"));
+    class.write(&mesh, text);
+    let words = [
+        "render", &mesh, "--camera", "80,10,3", "--size", "400x300", "-o", &picture,
+    ];
+    let ran = editor_in(class.path(), &words);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+}
+
+#[test]
+fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follows_it() {
+    let class = class_with_picture();
     let figure = &class.tests[0].1;
     // No picture tells which joints have each other's weights.
     let exchanged = Student {
@@ -1035,13 +1052,7 @@ fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follo
     };
     let text = obj(&exchanged.skin(figure), figure, |number| number.to_string());
     for name in ["ann", "bob"] {
-        let [mesh, picture] = ["adult-1.obj", "side.png"].map(|it| format!("class/{name}/{it}"));
-        class.write(&mesh, &text);
-        let words = [
-            "render", &mesh, "--camera", "80,10,3", "--size", "400x300", "-o", &picture,
-        ];
-        let ran = editor_in(class.path(), &words);
-        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        hand_in_with_picture(&class, name, &text);
     }
     // Another mesh is none that this picture shows.
     class.submit("bob", &with(&["no-inverse-bind"]), |number| {
@@ -1075,15 +1086,7 @@ fn a_picture_that_only_shows_the_mesh_of_its_submission_counts_as_that_and_follo
 
 #[test]
 fn a_picture_shows_the_mesh_of_its_submission_though_a_part_of_that_lies_behind_the_camera() {
-    let class = Class::new(&["adult"]);
-    let mut tests = class.tests_file();
-    let mut picture = tests["tests"][0].clone();
-    picture["name"] = "side".into();
-    picture["kind"] = "picture".into();
-    picture["camera"] = json!([80, 10, 3]);
-    picture["size"] = json!([400, 300]);
-    tests["tests"].as_array_mut().unwrap().push(picture);
-    class.set_tests(&tests);
+    let class = class_with_picture();
     let figure = &class.tests[0].1;
     let right = with(&[]).skin(figure);
     // A few vertices in one place, before the camera and behind it.
@@ -1094,13 +1097,7 @@ fn a_picture_shows_the_mesh_of_its_submission_though_a_part_of_that_lies_behind_
         let mut places = right.clone();
         places[100..130].fill(at);
         let text = obj(&places, figure, |number| number.to_string());
-        let [mesh, picture] = ["adult-1.obj", "side.png"].map(|it| format!("class/{name}/{it}"));
-        class.write(&mesh, &text);
-        let words = [
-            "render", &mesh, "--camera", "80,10,3", "--size", "400x300", "-o", &picture,
-        ];
-        let ran = editor_in(class.path(), &words);
-        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        hand_in_with_picture(&class, name, &text);
     }
     let report = class.graded();
     for name in ["ann", "bob"] {

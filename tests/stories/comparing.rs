@@ -641,6 +641,11 @@ fn beside_changed(
 ) -> Story {
     let mut story = Story::start(shapes);
     show_in(&mut story, look);
+    beside_changed_in(story, edit)
+}
+
+/// The same of the first shape in a story.
+fn beside_changed_in(mut story: Story, edit: impl FnOnce(&mut Story, ShapeId) -> Edit) -> Story {
     let first = story.session().scene().shapes()[0].id;
     let edit = edit(&mut story, first);
     story.program.session_mut().edit(edit).unwrap();
@@ -737,6 +742,18 @@ fn a_character_that_the_picture_does_not_have_is_told_to_be_missing_there() {
             assert!(!told.iter().any(is_wrong), "{look:?} {told:?}");
         }
     }
+    // Of a skeleton, lines may be left.
+    let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
+    show_in(&mut story, Look::Course);
+    let adult = story.session().scene().shapes()[0].id;
+    let edit = shown_as(&story, adult, ModelDisplay::Skeleton, BoneStyle::Boxes);
+    story.program.session_mut().edit(edit).unwrap();
+    let story = beside_changed_in(story, hide);
+    let told = texts(&story);
+    let how = " of the figure: A shows nothing in its place, or no more than lines.";
+    let is_told =
+        |text: &String| text.starts_with("All of Adult, in about ") && text.ends_with(how);
+    assert!(told.iter().any(is_told), "{told:?}");
     // Without anything but axes in the picture, it may look elsewhere as well.
     let story = beside_changed(Look::Course, &["builtin:adult"], |story, shape| {
         story.program.session_mut().look(View::SetAxis(true));
@@ -788,6 +805,28 @@ fn a_character_that_stands_before_another_one_in_the_picture_is_told_to_be_moved
         assert_eq!(whole(&story), ["Adult"], "{other} {told:?}");
         let is_wrong = |text: &String| text.contains("another camera");
         assert!(!told.iter().any(is_wrong), "{other} {told:?}");
+    }
+}
+
+#[test]
+fn edges_that_were_chosen_while_a_figure_was_elsewhere_are_chosen_anew_in_its_place() {
+    for by in [Vec3::Z * -0.8, Vec3::X * 0.6, Vec3::new(0.0, 0.2, 0.3)] {
+        let Some(mut story) = of_mannequin("robot.dae") else {
+            return;
+        };
+        show_in(&mut story, Look::Course);
+        let mut story = beside_changed_in(story, |story, shape| {
+            let here = story.shape().placement.transform;
+            let moved = Transform {
+                position: here.position + by,
+                ..here
+            };
+            Edit::SetTransform(shape, moved)
+        });
+        story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+        judge(&mut story);
+        let told = texts(&story);
+        assert!(has_text(&story, "A and B are equal"), "{by} {told:?}");
     }
 }
 
@@ -1472,6 +1511,15 @@ fn turn_camera(story: &mut Story, [around, above]: [f32; 2]) {
     story.program.carry_out(seen, &mut story.host);
 }
 
+/// A story with a file of the Virtual Mannequin.
+fn of_mannequin(file: &str) -> Option<Story> {
+    let found = reference(&format!("mannequin/{file}"))?;
+    let mut host = MemoryHost::default();
+    host.files
+        .insert(file.into(), std::fs::read(found).unwrap());
+    Some(Story::start_at(host, &[file]))
+}
+
 /// The Virtual Mannequin's robot in its look, which was changed after a picture of it was kept that it is compared with.
 fn robot_changed_beside_its_picture(change: impl FnOnce(&mut Story)) -> Option<Story> {
     changed_beside_its_picture("robot.dae", Look::Mannequin, change)
@@ -1483,11 +1531,7 @@ fn changed_beside_its_picture(
     look: Look,
     change: impl FnOnce(&mut Story),
 ) -> Option<Story> {
-    let found = reference(&format!("mannequin/{file}"))?;
-    let mut host = MemoryHost::default();
-    host.files
-        .insert(file.into(), std::fs::read(found).unwrap());
-    let mut story = Story::start_at(host, &[file]);
+    let mut story = of_mannequin(file)?;
     show_in(&mut story, look);
     keep_picture(&mut story, (800, 600));
     change(&mut story);

@@ -173,9 +173,13 @@ impl Differing<'_> {
             (pixel, nearest)
         });
         let of_ours: Vec<(Vec2, Nearest)> = of_ours.collect();
+        // A shape may stand before what is off, in the other picture.
         let may_cover = |candidate: &Candidate| matches!(candidate, Candidate::Shape(_));
-        let may_be_covered = candidates.iter().any(may_cover);
-        if !self.is_explained(&of_ours, &limbs.trunks, may_be_covered) {
+        let covered: HashSet<(u32, u32)> = match candidates.iter().any(may_cover) {
+            true => self.theirs.iter().copied().map(whole).collect(),
+            false => HashSet::new(),
+        };
+        if !self.is_explained(&of_ours, &limbs.trunks, &covered) {
             return Vec::new();
         }
         let mut pixels = vec![[Vec::new(), Vec::new()]; candidates.len()];
@@ -220,19 +224,18 @@ impl Differing<'_> {
         parts
     }
 
-    /// Whether the candidates explain what is off of the live view, or what hangs on joints of these `trunks` does. What
-    /// `may_be_covered` is also explained by a shape that stands before it in the other picture.
+    /// Whether the candidates explain what is off of the live view, or what hangs on joints of these `trunks` does, or what stands
+    /// before it in the other picture at the pixels that may be `covered`.
     fn is_explained(
         &self,
         of_ours: &[(Vec2, Nearest)],
         trunks: &[Body],
-        may_be_covered: bool,
+        covered: &HashSet<(u32, u32)>,
     ) -> bool {
-        let theirs: HashSet<(u32, u32)> = self.theirs.iter().copied().map(whole).collect();
         let is_explained = |(pixel, nearest): &&(Vec2, Nearest)| {
             nearest.is_some_and(|(_, distance)| distance <= 1.0)
                 || trunks.iter().any(|trunk| trunk.distance(*pixel) <= 1.0)
-                || may_be_covered && theirs.contains(&whole(*pixel))
+                || covered.contains(&whole(*pixel))
         };
         let explained = of_ours.iter().filter(is_explained).count() as f32;
         let ours = self.ours.len();

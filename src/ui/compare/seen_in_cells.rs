@@ -1,8 +1,7 @@
 //! Which shape is seen where in the live view, cell by cell: to look at every pixel takes too long for a frame.
 
-use super::owned::seen_at;
 use crate::editor::Session;
-use crate::scene::ShapeId;
+use crate::scene::{ShapeId, shape_seen_by};
 use glam::Vec2;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -41,7 +40,9 @@ impl<'a> SeenInCells<'a> {
         let cell = [pixel.x, pixel.y].map(|along| along as u32 / self.cell);
         let seen = || {
             let [x, y] = cell.map(|at| (at * self.cell + self.cell / 2) as f32);
-            Some(seen_at(self.session, Vec2::new(x, y), self.size)?.shape())
+            let camera = &self.session.view().camera;
+            let ray = camera.ray(Vec2::new(x, y) + 0.5, self.size);
+            shape_seen_by(self.session.evaluated(), &ray)
         };
         *self.found.borrow_mut().entry(cell).or_insert_with(seen)
     }
