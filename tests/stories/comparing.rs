@@ -810,11 +810,18 @@ fn a_character_that_stands_before_another_one_in_the_picture_is_told_to_be_moved
 
 #[test]
 fn edges_that_were_chosen_while_a_figure_was_elsewhere_are_chosen_anew_in_its_place() {
-    for by in [Vec3::Z * -0.8, Vec3::X * 0.6, Vec3::new(0.0, 0.2, 0.3)] {
+    for (look, by) in [
+        (Look::Course, Vec3::Z * -0.8),
+        (Look::Course, Vec3::X * 0.6),
+        (Look::Course, Vec3::new(0.0, 0.2, 0.3)),
+        (Look::Mannequin, Vec3::Z * -0.8),
+        (Look::Mannequin, Vec3::X * 0.6),
+        (Look::Mannequin, Vec3::Y * 0.3),
+    ] {
         let Some(mut story) = of_mannequin("robot.dae") else {
             return;
         };
-        show_in(&mut story, Look::Course);
+        show_in(&mut story, look);
         let mut story = beside_changed_in(story, |story, shape| {
             let here = story.shape().placement.transform;
             let moved = Transform {
@@ -826,7 +833,8 @@ fn edges_that_were_chosen_while_a_figure_was_elsewhere_are_chosen_anew_in_its_pl
         story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
         judge(&mut story);
         let told = texts(&story);
-        assert!(has_text(&story, "A and B are equal"), "{by} {told:?}");
+        let equal = has_text(&story, "A and B are equal");
+        assert!(equal, "{look:?} {by} {told:?}");
     }
 }
 
