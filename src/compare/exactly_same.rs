@@ -1,6 +1,7 @@
 //! Whether parts of a figure are exactly the same in two pictures, so that one camera shows both.
 
-use std::collections::HashMap;
+use super::pair::Pixel;
+use std::collections::{HashMap, HashSet};
 
 /// Side in pixels of the squares that are looked at one by one, …
 const SIDE: u32 = 16;
@@ -9,6 +10,9 @@ const SIDE: u32 = 16;
 const SAME: f64 = 0.98;
 /// Fewest shaded pixels of a square that tell something.
 const FEWEST: usize = 16;
+/// Fewest colors of a square that tells something: in the shade of the Course look all sides of a figure have one color, and two
+/// that meet are the same by chance.
+const COLORS: usize = 4;
 /// Share of what is shaded that is in such squares from which on the camera is the same: with limbs turned it was 0.34 and more,
 /// from another camera 0.013 at most.
 const ENOUGH: f64 = 0.1;
@@ -23,21 +27,25 @@ pub(super) struct ExactlySame {
 struct Counts {
     shaded: usize,
     same: usize,
+    colors: HashSet<Pixel>,
 }
 
 impl ExactlySame {
-    /// Counts a shaded pixel, which is about the same in both pictures.
-    pub fn count(&mut self, pixel: [u32; 2], is_same: bool) {
+    /// Counts a shaded pixel, which has about the same color in both pictures.
+    pub fn count(&mut self, pixel: [u32; 2], [a, b]: [Pixel; 2]) {
         let counts = self.squares.entry(pixel.map(|along| along / SIDE));
         let counts = counts.or_default();
         counts.shaded += 1;
-        counts.same += usize::from(is_same);
+        counts.same += usize::from(a == b);
+        counts.colors.insert(a);
     }
 
     /// Whether so much is the same that the camera is.
     pub fn tells_of_camera(&self) -> bool {
         let is_same = |square: &&Counts| {
-            square.shaded >= FEWEST && square.same as f64 >= SAME * square.shaded as f64
+            square.shaded >= FEWEST
+                && square.colors.len() >= COLORS
+                && square.same as f64 >= SAME * square.shaded as f64
         };
         let shaded = |square: &Counts| square.shaded;
         let same: usize = self.squares.values().filter(is_same).map(shaded).sum();

@@ -122,7 +122,7 @@ impl Pair<'_> {
                 solid.push(at);
                 // What has one color has it from wherever it is seen, and an upright line, as of an axis, has it from all around.
                 if grid.around(at).any(|near| a[near] != a[at]) {
-                    same.count(grid.pixel(at), a[at] == b[at]);
+                    same.count(grid.pixel(at), [a[at], b[at]]);
                 }
             }
         })

@@ -473,7 +473,7 @@ fn a_character_of_another_color_is_not_said_to_be_elsewhere_or_turned() {
                 ),
                 (
                     Some("Right knee X"),
-                    "its color or light differs, and a part of its outline.",
+                    "its color or light differs, and a part of its outline, or it is turned to another side.",
                 ),
             ] {
                 if let Some(field) = turned {
@@ -786,6 +786,108 @@ fn of_a_limb_that_is_turned_nothing_else_is_told() {
             judge(&mut story);
             assert_eq!(places(&story), [joint], "{look:?}");
         }
+    }
+}
+
+#[test]
+fn a_hand_and_a_foot_are_told_by_themselves_and_not_by_what_hangs_on_them() {
+    for (look, joint, turned) in [
+        (Look::Course, "hand.L", Vec3::Z * 40.0),
+        (Look::Course, "hand.L", Vec3::X * 40.0),
+        (Look::Course, "foot.L", Vec3::X * 30.0),
+        (Look::Studio, "hand.L", Vec3::Z * 40.0),
+        (Look::Studio, "hand.R", Vec3::Y * 70.0),
+        (Look::Mannequin, "hand.L", Vec3::Z * 40.0),
+    ] {
+        let turn = |story: &mut Story| turn_joints(story, &[(joint, turned)]);
+        let story = changed_beside_its_picture("robot.dae", look, turn);
+        let Some(story) = story else { return };
+        let told = texts(&story);
+        assert_eq!(places(&story), [joint], "{look:?} {turned} {told:?}");
+    }
+}
+
+#[test]
+fn what_turns_all_that_is_told_may_be_a_root_that_hardly_moves_itself() {
+    for degrees in [15.0, 20.0] {
+        let story = robot_changed_beside_its_picture(|story| {
+            turn_joints(story, &[("free3dmodel_skeleton", Vec3::Y * degrees)]);
+        });
+        let Some(story) = story else { return };
+        let told = texts(&story);
+        let end = "thigh.L and thigh.R hang on hips: that may be turned instead.";
+        let is_told = told.iter().any(|text| text.ends_with(end));
+        assert!(is_told, "{degrees}: {told:?}");
+    }
+}
+
+#[test]
+fn of_two_characters_that_are_each_in_the_pose_of_the_other_one_no_joint_is_blamed() {
+    let mut story = Story::start(&["builtin:adult", "builtin:adult"]);
+    show_in(&mut story, Look::Studio);
+    let poses: [&[(&str, Vec3)]; 2] = [
+        &[
+            ("Right shoulder", Vec3::Z * 60.0),
+            ("Left elbow", Vec3::Y * 50.0),
+            ("Right hip", Vec3::X * 40.0),
+            ("Left knee", Vec3::X * 40.0),
+            ("Neck", Vec3::X * 30.0),
+        ],
+        &[
+            ("Left shoulder", Vec3::Z * 50.0),
+            ("Right elbow", Vec3::Y * -60.0),
+            ("Left hip", Vec3::X * -40.0),
+            ("Right knee", Vec3::X * 60.0),
+        ],
+    ];
+    let shapes: Vec<ShapeId> = story
+        .session()
+        .scene()
+        .shapes()
+        .iter()
+        .map(|it| it.id)
+        .collect();
+    let pose = |story: &mut Story, poses: [&[(&str, Vec3)]; 2]| {
+        for (&shape, pose) in shapes.iter().zip(poses) {
+            turn_joints_of(story, shape, pose);
+        }
+    };
+    pose(&mut story, poses);
+    keep_picture(&mut story, (800, 600));
+    pose(&mut story, [poses[1], poses[0]]);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    let told = texts(&story);
+    assert!(!has_text(&story, "Near "), "{told:?}");
+    let reason = "shapes are moved, turned or scaled, or several joints are turned.";
+    let is_told = told.iter().any(|text| text.ends_with(reason));
+    assert!(is_told, "{told:?}");
+}
+
+#[test]
+fn a_camera_that_is_not_found_may_be_another_one() {
+    let in_studio = "All over the figure: A may be seen by another camera than B, or";
+    let in_course = "another camera, or the whole figure posed otherwise.";
+    for (look, by, told_so) in [
+        (Look::Studio, [40.0, 10.0], in_studio),
+        (Look::Studio, [90.0, 0.0], in_studio),
+        (Look::Course, [40.0, 10.0], in_course),
+        (Look::Course, [90.0, 0.0], in_course),
+        // In the shade all sides have one color, which tells nothing of the camera.
+        (
+            Look::Course,
+            [-60.0, 12.0],
+            "A is seen by another camera than B",
+        ),
+    ] {
+        let turn = |story: &mut Story| turn_camera(story, by);
+        let story = changed_beside_its_picture("robot.dae", look, turn);
+        let Some(story) = story else { return };
+        let told = texts(&story);
+        assert!(!has_text(&story, "Near "), "{look:?} {told:?}");
+        let is_told = told.iter().any(|text| text.contains(told_so));
+        assert!(is_told, "{look:?} {by:?} {told:?}");
     }
 }
 
@@ -1496,7 +1598,13 @@ fn a_screenshot_of_the_page_whose_horizon_is_slanted_is_said_to_match_no_view() 
 
 /// Turns joints of the selected character from its bind pose, each by so many degrees about X, Y and Z.
 fn turn_joints(story: &mut Story, turned: &[(&str, Vec3)]) {
-    let (shape, skeleton) = (story.shape().id, story.character().character.skeleton());
+    turn_joints_of(story, story.shape().id, turned);
+}
+
+/// The same of one of several characters.
+fn turn_joints_of(story: &mut Story, shape: ShapeId, turned: &[(&str, Vec3)]) {
+    let character = story.session().scene().character(shape).unwrap();
+    let skeleton = character.character.skeleton();
     let mut pose = Pose::new();
     for (joint, degrees) in turned {
         let joint = Pose::find_joint(skeleton, joint).unwrap();

@@ -6,7 +6,9 @@ use super::elsewhere::placement_of_all;
 use super::how::How;
 use super::other_camera::other_camera;
 use super::parts::{Kind, Part, Parts, of_shapes, parts};
-use super::place::{MUCH, absent, near, place, placed_elsewhere, seen_from_elsewhere, whole};
+use super::place::{
+    MUCH, absent, much_is_off, near, place, placed_elsewhere, seen_from_elsewhere, whole,
+};
 use crate::compare::{Area, FigureOff, about, sentence};
 use crate::editor::Session;
 use crate::revision::Revision;
@@ -199,18 +201,34 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
         return known;
     }
     let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
-    if apart.len() > MOST_APART {
+    let is_much = |(area, _): &(Area, bool)| area.share_of(figure) >= MUCH;
+    let are_many = apart.len() > MOST_APART;
+    let share = off.ours.len() as f64 / (off.ours.len() + off.right.len()).max(1) as f64;
+    if apart.iter().any(is_much) || are_many && share >= MUCH {
+        return vec![much(&off, figure)];
+    }
+    if are_many {
         return Vec::new();
     }
     let places = apart.into_iter().map(|(area, is_ours)| {
-        // Bones are where the live view has them, and none is to blame for much of a figure.
-        let told = match is_ours && area.share_of(figure) < MUCH {
+        // Bones are where the live view has them.
+        let told = match is_ours {
             true => place(session, area, figure, size),
             false => sentence(&area.place_in(figure)),
         };
         Place::new(told, area, CameraTold::Unknown)
     });
     places.collect()
+}
+
+/// Much of the figure, where no limbs explain what is off: no joint is to blame for that.
+fn much(off: &FigureOff, figure: Area) -> Place {
+    let camera = match off.is_camera_right {
+        true => CameraTold::Right,
+        false => CameraTold::Unknown,
+    };
+    let told = much_is_off(&off.area.place_in(figure), camera);
+    Place::new(told, off.area, camera)
 }
 
 /// All that is drawn, if it has the outline of the other picture but stands elsewhere.

@@ -43,7 +43,12 @@ impl CharacterSeen<'_> {
     /// Names of joints, with the character's if there are several.
     pub fn names_of(&self, joints: &[usize]) -> String {
         let names: Vec<&str> = joints.iter().map(|&it| &*self.joints[it].name).collect();
-        self.of_character(&names.join(" and "))
+        let (last, others) = names.split_last().unwrap_or((&"", &[]));
+        let named = match others {
+            [] => (*last).to_owned(),
+            others => format!("{} and {last}", others.join(", ")),
+        };
+        self.of_character(&named)
     }
 
     fn of_character(&self, joints: &str) -> String {

@@ -7,7 +7,7 @@ use super::outlined::Outlined;
 use super::page_figure::{self, FigureTold};
 use super::panel::say;
 use super::place::place;
-use crate::compare::{Area, Finding};
+use crate::compare::{Area, Finding, sentence};
 use crate::editor::Session;
 use crate::scene::Look;
 use crate::ui::theme::Palette;
@@ -144,7 +144,8 @@ pub(super) fn findings(
                         links(ui, &apart, outlined);
                         let all = all.filter(|_| apart.is_empty());
                         if let Some((area, figure)) = all.zip(judgment.figure) {
-                            let place = place(session, area, figure, compare.size());
+                            // What is in several places is of no single joint.
+                            let place = sentence(&area.place_in(figure));
                             link(ui, &place, area, outlined);
                         }
                     }

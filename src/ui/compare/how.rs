@@ -52,7 +52,9 @@ impl How {
             Self::ColorOrDisplay => {
                 "its outline agrees, so that its color, its light or Model Display Mode differs"
             }
-            Self::ColorAndMore => "its color or light differs, and a part of its outline",
+            Self::ColorAndMore => {
+                "its color or light differs, and a part of its outline, or it is turned to another side"
+            }
             Self::Place => "it is moved, turned or scaled",
             Self::PlaceOrPoints => {
                 "it is moved, turned or scaled, or its control points are elsewhere"

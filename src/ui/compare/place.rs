@@ -82,6 +82,18 @@ pub(super) fn much_differs(place: &str) -> String {
     ))
 }
 
+/// The same without a floor, where a camera is right or may be another one.
+pub(super) fn much_is_off(place: &str, camera: CameraTold) -> String {
+    const OTHERWISE: &str = "shapes are moved, turned or scaled, or several joints are turned";
+    let reason = match camera {
+        CameraTold::Right => OTHERWISE.to_owned(),
+        CameraTold::Other | CameraTold::Unknown => {
+            format!("A may be seen by another camera than B, or {OTHERWISE}")
+        }
+    };
+    sentence(&format!("{place}: {reason}"))
+}
+
 /// Sentence about what is drawn, all or most of which is where the other picture has it when another camera sees it.
 pub(super) fn seen_from_elsewhere(camera: &OtherCamera) -> String {
     let agrees = match camera.explains_all {

@@ -21,6 +21,12 @@ const WHOLE_IS_OFF: f32 = 0.25;
 const RIGHT_BELOW: f32 = 0.4;
 /// Length of a bone, by the longest one of the figure, below which it is inside of the limb that hangs on it, as at hips.
 const SHORT: f32 = 0.25;
+/// How far what hangs on a joint reaches, by the figure's scale, up to which several of its ends that are off are turned by it: a hand
+/// that turns about itself stays where it is, while fingers go round.
+const SMALL: f32 = 0.08;
+/// Share of what is seen of a joint's mesh that is off from which on it may be turned though it is less than that of one that is, where all
+/// that hangs on it is off: hips that turn about themselves. Of what stands still it is less.
+const HARDLY_OFF: f32 = 0.02;
 
 /// How sure it has to be that a joint is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +45,8 @@ struct Told<'a> {
     is_right: bool,
     /// Whether so much of it is off that it is hardly covered by something else alone.
     is_off_by_itself: bool,
+    /// Share of the joint's mesh that is off, if enough of that is seen.
+    of_mesh: Option<f32>,
 }
 
 impl<'a> Told<'a> {
@@ -50,6 +58,7 @@ impl<'a> Told<'a> {
             is_off: off >= MESH_IS_OFF,
             is_right: off < MESH_IS_OFF,
             is_off_by_itself: off >= most_covered,
+            of_mesh: Some(off),
         }
     }
 
@@ -77,6 +86,7 @@ impl<'a> Told<'a> {
             is_off,
             is_right: right >= IS_RIGHT,
             is_off_by_itself: is_off,
+            of_mesh: None,
         }
     }
 
@@ -86,6 +96,7 @@ impl<'a> Told<'a> {
             is_off: false,
             is_right: false,
             is_off_by_itself: false,
+            of_mesh: None,
         }
     }
 
@@ -154,7 +165,8 @@ pub(super) fn turned(
         }
     });
     let told: Vec<Told> = told.collect();
-    let joints = turned_by(character, &told);
+    let mut joints = turned_by(character, &told);
+    turn_small_ones(character, &told, scale, &mut joints);
     let has_right = told.iter().any(|told| told.is_right);
     let hangs_on_none = |joint: usize| !above(character, joint).any(|joint| joints[joint]);
     let off_besides = owned.off_of(character.shape, hangs_on_none);
@@ -171,7 +183,12 @@ fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Ins
     let mut all: Vec<Instead> = Vec::new();
     // A joint comes before those that hang on it, so that from the end these come first.
     for joint in (0..character.joints.len()).rev() {
-        if character.joints[joint].parent.is_none() || turned[joint] || is_known(told, joint) {
+        let mut own = told.iter().filter(|told| told.bone.joint == joint);
+        let is_hardly_off =
+            own.any(|told| told.is_right && told.of_mesh.is_some_and(|off| off >= HARDLY_OFF));
+        let is_root = character.joints[joint].parent.is_none();
+        let is_known = is_known(told, joint) || is_root;
+        if turned[joint] || is_known && !is_hardly_off {
             continue;
         }
         let below = || {
@@ -182,7 +199,7 @@ fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Ins
         let ends = ends.count();
         let is_right = |told: &Told| {
             let mut above = above(character, told.bone.joint).take_while(|it| *it != joint);
-            told.is_known() && !above.any(|it| turned[it])
+            told.is_right && !above.any(|it| turned[it])
         };
         // A limb hangs on few that are seen as little, such as a collarbone; what other limbs hang on as well is the trunk.
         if ends < 2 || below().any(is_right) {
@@ -240,11 +257,36 @@ fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
         let mut own = bones().filter(|bone| bone.joint == joint);
         let below = turned.iter().zip(joints);
         let turned = below.filter(|(turned, below)| **turned && below.parent == Some(joint));
-        own.all(|bone| bone.length < SHORT * longest) && turned.count() == 1
+        let mut told = told.iter().filter(|told| told.bone.joint == joint);
+        // Unless its own mesh tells.
+        let is_off = told.any(|told| told.of_mesh.is_some_and(|off| off >= IS_OFF));
+        !is_off && own.all(|bone| bone.length < SHORT * longest) && turned.count() == 1
     };
     let all = turned.iter().enumerate();
     all.map(|(joint, turned)| *turned && !is_of_child(joint))
         .collect()
+}
+
+/// Adds joints that carry little of the figure, of which several ends are off and nothing is right.
+fn turn_small_ones(character: &CharacterSeen, told: &[Told], scale: f32, turned: &mut [bool]) {
+    // A joint comes before those that hang on it.
+    for joint in 0..turned.len() {
+        let below = || {
+            let below = told.iter();
+            below.filter(|told| hangs_on(character, told.bone.joint, joint))
+        };
+        let pixels = || below().flat_map(|told| told.bone.pixels.iter().copied());
+        let ends = pixels().reduce(Vec2::min).zip(pixels().reduce(Vec2::max));
+        let reach = ends.map_or(0.0, |(least, most)| (most - least).max_element());
+        let is_on = |end: usize, of: usize| end == of || hangs_on(character, end, of);
+        let is_branch_off =
+            |branch: usize| below().any(|told| told.is_off && is_on(told.bone.joint, branch));
+        let branches = (0..turned.len()).filter(|&it| character.joints[it].parent == Some(joint));
+        turned[joint] |= character.joints[joint].parent.is_some()
+            && reach <= SMALL * scale
+            && !below().any(|told| told.is_right)
+            && branches.filter(|&branch| is_branch_off(branch)).count() > 1;
+    }
 }
 
 /// Whether something is known of a joint.
