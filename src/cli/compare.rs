@@ -131,7 +131,7 @@ fn compare(args: &Args) -> Result<(), CliError> {
                 files().read(path)?;
             }
             Err(CliError::Usage(format!(
-                "expected two pictures or two meshes, found the mesh {} and {}",
+                "expected two pictures or two meshes, found the mesh {} and {}, which is none",
                 mesh.display(),
                 other.display()
             )))

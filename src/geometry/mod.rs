@@ -18,6 +18,7 @@ mod surface;
 mod teapot;
 mod triangle_tree;
 mod triangulate;
+mod turning;
 mod volume;
 mod winding;
 

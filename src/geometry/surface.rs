@@ -1,7 +1,8 @@
 use super::Mesh;
 use super::curve_evaluation::{CurvePoint, is_closed};
+use super::turning::turning_number;
 use crate::math::Aabb;
-use glam::{DQuat, DVec3, Vec3};
+use glam::{DQuat, DVec2, DVec3, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
@@ -14,8 +15,10 @@ const NO_VOLUME: f64 = 1e-9;
 ///
 /// Vertices lie ring by ring, `profile.len()` each, `steps + 1` rings, the last on the first.
 /// Normals are −N of the profile, turned along, and triangles wind counter-clockwise with them;
-/// both are flipped where the enclosed volume, the ends closed by discs, comes out negative, so
-/// that normals point outward. Triangles that shrink to a line on the axis are left out.
+/// both are flipped where the profile, its ends closed by discs, turns round the other way, so that
+/// normals point outward; where it turns round more than once or not at all, by the enclosed volume.
+/// The volume alone would turn all normals of a glass round where its inner wall is dragged out
+/// through the outer one. Triangles that shrink to a line on the axis are left out.
 #[doc(alias = "makeSurfRev")]
 pub fn surface_of_revolution(profile: &[CurvePoint], steps: u32) -> Mesh {
     let steps = steps.max(1);
@@ -42,8 +45,15 @@ pub fn surface_of_revolution(profile: &[CurvePoint], steps: u32) -> Mesh {
     let mut triangles = quads(&positions, profile.len(), |column| {
         profile[column].position.x + profile[column + 1].position.x <= 0.0
     });
-    let volume = enclosed_by_lathe(&positions, &triangles);
-    if volume < 0.0 && has_sign(volume, &positions) {
+    let is_inward = match turns_of_meridian(&positions[..profile.len()]) {
+        Some(1) => false,
+        Some(-1) => true,
+        _ => {
+            let volume = enclosed_by_lathe(&positions, &triangles);
+            volume < 0.0 && has_sign(volume, &positions)
+        }
+    };
+    if is_inward {
         triangles.iter_mut().for_each(reverse);
         normals.iter_mut().for_each(|normal| *normal = -*normal);
     }
@@ -130,6 +140,21 @@ fn quads(positions: &[Vec3], ring: usize, forward: impl Fn(usize) -> bool) -> Ve
         }
     }
     triangles
+}
+
+/// How often the direction of a profile turns round that is revolved about +Y, closed by discs over its ends where it is open;
+/// `None` if it crosses the axis or turns back.
+fn turns_of_meridian(profile: &[Vec3]) -> Option<i32> {
+    let mut corners: Vec<DVec2> = profile.iter().map(|at| at.truncate().as_dvec2()).collect();
+    let (first, last) = (*corners.first()?, *corners.last()?);
+    if corners.iter().any(|at| at.x < 0.0) && corners.iter().any(|at| at.x > 0.0) {
+        return None;
+    }
+    let coinciding = f64::from(COINCIDING * size(profile));
+    if first.distance(last) > coinciding {
+        corners.extend([last.with_x(0.0), first.with_x(0.0)]);
+    }
+    turning_number(&corners, coinciding)
 }
 
 /// Whether `volume` is more than rounding in a surface of this size.

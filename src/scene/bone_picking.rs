@@ -61,8 +61,8 @@ pub fn bones_in_world<'a>(
 
 /// Picks the bone of any character that the ray under `pixel`, in a picture of `size`, meets first.
 /// A bone is a cylinder with flat ends, of radius 0.1 times the shape's scale, thinner for short
-/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Characters that are hidden or
-/// locked are ignored.
+/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Where there is none, the balls of
+/// joints reach beyond the ends. Characters that are hidden or locked are ignored.
 ///
 /// Where the ray meets several bones and a mesh is seen there, it is one of that character: one whose line is under the
 /// pointer, or else the one that moves most what is seen, or else the first. A hand before a thigh is a hand, though
@@ -76,39 +76,47 @@ pub fn pick_bone(
     reach: f32,
 ) -> Option<BoneHit> {
     let ray = camera.ray(pixel, size);
-    let characters = scene
-        .shapes()
-        .iter()
-        .zip(&evaluated.shapes)
-        .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
-        .filter(|(_, evaluated)| evaluated.pickable);
-    let hits = characters.flat_map(|(_, shape)| {
+    let characters = || {
+        let shapes = scene.shapes().iter().zip(&evaluated.shapes);
+        shapes
+            .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
+            .filter(|(_, evaluated)| evaluated.pickable)
+            .map(|(_, evaluated)| evaluated)
+    };
+    let hit = |shape: &EvaluatedShape, bone: usize, (joint, start, end), beyond: f32| {
+        let nearest = ray.nearest_on_segment(start, end);
+        let depth = (nearest - ray.origin).dot(ray.direction).max(0.0);
+        let pixel_there = camera.pixel_at_depth(depth, size.y);
         let radius = BONE_RADIUS * shape.scale();
-        bones_in_world(scene, shape)
-            .enumerate()
-            .filter_map(move |(bone, (joint, start, end))| {
-                let nearest = ray.nearest_on_segment(start, end);
-                let depth = (nearest - ray.origin).dot(ray.direction).max(0.0);
-                let least = reach * camera.pixel_at_depth(depth, size.y);
-                let radius = radius.min(start.distance(end) * MOST_OF_LENGTH);
-                let cylinder = Cylinder {
-                    start,
-                    end,
-                    radius: radius.max(least),
-                };
-                let distance = cylinder.entry(&ray)?;
-                let hit = BoneHit {
-                    shape: shape.id,
-                    joint,
-                    bone,
-                    distance,
-                    point: ray.at(distance),
-                };
-                let place = [start, end].map(|at| camera.pixel(at, size));
-                Some((hit, is_on_line(place, pixel)))
-            })
-    });
-    let mut hits: Vec<(BoneHit, bool)> = hits.collect();
+        let radius = radius.min(start.distance(end) * MOST_OF_LENGTH);
+        let along = beyond * pixel_there * (end - start).normalize_or_zero();
+        let cylinder = Cylinder {
+            start: start - along,
+            end: end + along,
+            radius: radius.max(reach * pixel_there),
+        };
+        let distance = cylinder.entry(&ray)?;
+        let hit = BoneHit {
+            shape: shape.id,
+            joint,
+            bone,
+            distance,
+            point: ray.at(distance),
+        };
+        let place = [start, end].map(|at| camera.pixel(at, size));
+        Some((hit, is_on_line(place, pixel)))
+    };
+    let hits_beyond = |beyond: f32| -> Vec<(BoneHit, bool)> {
+        let bones = characters().flat_map(|shape| {
+            let bones = bones_in_world(scene, shape).enumerate();
+            bones.filter_map(move |(index, bone)| hit(shape, index, bone, beyond))
+        });
+        bones.collect()
+    };
+    let mut hits = hits_beyond(0.0);
+    if hits.is_empty() {
+        hits = hits_beyond(BALL);
+    }
     hits.sort_by(|(a, _), (b, _)| a.distance.total_cmp(&b.distance));
     let (first, _) = *hits.first()?;
     let is_first = |hit: &BoneHit| (hit.shape, hit.joint) == (first.shape, first.joint);
@@ -316,6 +324,32 @@ mod tests {
                 let hit = pick_bone(&scene, &evaluated, &camera, pixel, size, 4.0).unwrap();
                 let hit = turned_there(&scene, &evaluated, &camera, hit, (pixel, size));
                 assert_eq!(hit.joint, joint, "{mode:?} {below}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_whole_ball_at_the_end_of_a_bone_picks_it_and_nothing_beyond_does() {
+        let mut scene = Scene::new();
+        let id = scene.add(NewShape::new(
+            "Figure",
+            figure(0.0, 0, ModelDisplay::Skeleton),
+        ));
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+        let size = Vec2::new(800.0, 600.0);
+        let camera = Camera {
+            target: Vec3::new(0.0, 0.5, 0.0),
+            radius: 5.0,
+            ..Camera::default()
+        };
+        let shape = evaluated.shape(id).unwrap();
+        let (_, start, end) = bones_in_world(&scene, shape).next().unwrap();
+        for (place, away) in [(start, 1.0), (end, -1.0)] {
+            let place = camera.pixel(place, size).unwrap();
+            for (beyond, is_picked) in [(-5.0, true), (2.0, true), (5.5, true), (9.0, false)] {
+                let pixel = place + Vec2::new(3.0, away * beyond);
+                let hit = pick_bone(&scene, &evaluated, &camera, pixel, size, 4.0);
+                assert_eq!(hit.is_some(), is_picked, "{away} {beyond}");
             }
         }
     }

@@ -325,7 +325,7 @@ fn other_axes_are_named_together_with_a_scale_and_a_movement() {
     assert_eq!((from_a, offset), (["x", "-z", "y"], [0.0; 3]));
     assert!((factor / 100.0 - 1.0).abs() < 1e-6, "{factor}");
     let told = "B's x, y, z are x, -z, y of A: turned, or another axis points up, \
-                and 100.000000 times as large";
+                and 100 times as large";
     assert_eq!(found[0].to_string(), told);
 
     let found = findings(|p| Vec3::new(1.0 - p.x, p.y, p.z));

@@ -230,7 +230,11 @@ fn json_is_one_object_for_wrong_usage_too() {
         fs::copy(meshes().path().join(name), folder.path().join(name)).unwrap();
     }
     for (expected, line, told) in [
-        (2, "a.png b.obj", "found the mesh b.obj and a.png"),
+        (
+            2,
+            "a.png b.obj",
+            "found the mesh b.obj and a.png, which is none",
+        ),
         (1, "a.obj gone.png", "there is no such file"),
         (1, "gone.obj a.png", "there is no such file"),
         (2, "a.png b.png --threshold 256", "found 256"),

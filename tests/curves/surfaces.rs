@@ -89,6 +89,46 @@ fn a_vase_open_at_both_ends_points_outward_as_if_discs_closed_it() {
 }
 
 #[test]
+fn normals_of_a_glass_stay_where_its_inner_wall_is_dragged_out_through_the_outer_one() {
+    let glass = |dragged: f32| {
+        let profile = [
+            [0.0, 0.0],
+            [0.0, 0.0],
+            [0.0, 0.0],
+            [0.9, 0.3],
+            [1.0 + dragged, 1.0],
+            [0.9, 2.3],
+            [1.0, 2.6],
+            [1.1, 2.3],
+            [1.2, 1.0],
+            [1.0, 0.2],
+            [0.1, -0.2],
+            [0.1, -1.0],
+            [0.8, -1.1],
+            [0.0, -1.2],
+            [0.0, -1.2],
+            [0.0, -1.2],
+        ];
+        let points = profile.map(|[x, y]| Vec3::new(x, y, 0.0)).to_vec();
+        surface_of_revolution(&spline(Basis::BSpline, 8, points).evaluate(), 24)
+    };
+    let thin = glass(0.0);
+    for dragged in [0.3, 0.6, 0.9] {
+        let pushed = glass(dragged);
+        assert_eq!(pushed.triangles, thin.triangles, "{dragged}");
+        let same = normals(&thin).iter().zip(normals(&pushed));
+        let turned = same.filter(|(before, after)| before.dot(**after) < -0.99);
+        assert_eq!(turned.count(), 0, "{dragged}");
+    }
+    // The foot is seen from below.
+    let lowest = |positions: &[Vec3]| {
+        let all = positions.iter().enumerate();
+        all.min_by(|(_, a), (_, b)| a.y.total_cmp(&b.y)).unwrap().0
+    };
+    assert!(normals(&thin)[lowest(&thin.positions)].y < -0.9);
+}
+
+#[test]
 fn a_torus_is_watertight_with_euler_characteristic_zero() {
     let torus = torus(2.0, 0.5);
     let merged = Merged::new(&torus);

@@ -495,6 +495,52 @@ fn a_character_of_another_color_is_not_said_to_be_elsewhere_or_turned() {
 }
 
 #[test]
+fn several_characters_that_are_shown_otherwise_are_told_and_no_camera() {
+    let outline = "its outline agrees, so that its color, its light or Model Display Mode differs.";
+    let shown = [
+        (None, outline),
+        (Some(ModelDisplay::Both), outline),
+        (
+            Some(ModelDisplay::Skeleton),
+            "A shows its skeleton. Choose Skeletal Model for Model Display Mode to compare that.",
+        ),
+    ];
+    for look in [Look::Course, Look::Studio] {
+        for (mode, how) in shown {
+            let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
+            show_in(&mut story, look);
+            let shapes = story.session().scene().shapes().iter();
+            let edits = shapes.map(|shape| match mode {
+                Some(mode) => shown_as(&story, shape.id, mode, BoneStyle::Lines),
+                None => Edit::SetColor(shape.id, ShapeColor::Custom(Vec3::new(0.9, 0.8, 0.1))),
+            });
+            let edits: Vec<Edit> = edits.collect();
+            for edit in edits {
+                story.program.session_mut().edit(edit).unwrap();
+            }
+            story.settle();
+            keep_picture(&mut story, (800, 600));
+            story.key_with(Modifiers::COMMAND, Key::Z);
+            story.key_with(Modifiers::COMMAND, Key::Z);
+            story.key(Key::F8);
+            story.choose("mine.png");
+            judge(&mut story);
+            let told = texts(&story);
+            let mut names = whole(&story);
+            names.sort_unstable();
+            assert_eq!(names, ["Adult", "Robot"], "{look:?} {how} {told:?}");
+            let alike = told.iter().filter(|text| text.starts_with("All of "));
+            assert!(
+                alike.clone().all(|text| text.ends_with(how)),
+                "{look:?} {told:?}"
+            );
+            let is_wrong = |text: &String| text.contains("another camera");
+            assert!(!told.iter().any(is_wrong), "{look:?} {told:?}");
+        }
+    }
+}
+
+#[test]
 fn limbs_that_a_joint_of_the_trunk_may_turn_are_told_with_it() {
     let instead =
         "Right leg and Left leg hang on Waist and Chest: one of these may be turned instead.";
@@ -625,7 +671,7 @@ fn a_skeleton_beside_a_picture_of_a_mesh_is_said_to_be_one() {
         story.key(Key::F8);
         story.choose("mine.png");
         judge(&mut story);
-        let hint = "B shows Robot as its skeleton: if A shows its mesh";
+        let hint = "B shows Robot as its skeleton: if A shows its mesh, choose Mesh Model";
         let told = texts(&story);
         assert_eq!(has_text(&story, hint), is_told, "{told:?}");
         let is_wrong = |text: &String| text.contains("missing") || text.contains("moved");
@@ -790,7 +836,7 @@ fn of_a_limb_that_is_turned_nothing_else_is_told() {
 }
 
 #[test]
-fn a_hand_and_a_foot_are_told_by_themselves_and_not_by_what_hangs_on_them() {
+fn hands_feet_and_a_chest_are_told_by_themselves_and_not_by_what_hangs_on_them() {
     for (look, joint, turned) in [
         (Look::Course, "hand.L", Vec3::Z * 40.0),
         (Look::Course, "hand.L", Vec3::X * 40.0),
@@ -798,6 +844,11 @@ fn a_hand_and_a_foot_are_told_by_themselves_and_not_by_what_hangs_on_them() {
         (Look::Studio, "hand.L", Vec3::Z * 40.0),
         (Look::Studio, "hand.R", Vec3::Y * 70.0),
         (Look::Mannequin, "hand.L", Vec3::Z * 40.0),
+        (Look::Mannequin, "hand.R", Vec3::X * 60.0),
+        (Look::Mannequin, "hand.R", Vec3::Y * 70.0),
+        (Look::Mannequin, "foot.R", Vec3::Z * 25.0),
+        (Look::Mannequin, "foot.L", Vec3::X * 25.0),
+        (Look::Mannequin, "chest", Vec3::Y * 30.0),
     ] {
         let turn = |story: &mut Story| turn_joints(story, &[(joint, turned)]);
         let story = changed_beside_its_picture("robot.dae", look, turn);
@@ -868,7 +919,7 @@ fn of_two_characters_that_are_each_in_the_pose_of_the_other_one_no_joint_is_blam
 #[test]
 fn a_camera_that_is_not_found_may_be_another_one() {
     let in_studio = "All over the figure: A may be seen by another camera than B, or";
-    let in_course = "another camera, or the whole figure posed otherwise.";
+    let in_course = "another camera, or the whole figure moved or posed otherwise.";
     for (look, by, told_so) in [
         (Look::Studio, [40.0, 10.0], in_studio),
         (Look::Studio, [90.0, 0.0], in_studio),
@@ -1914,13 +1965,17 @@ const ALL_AGREES: &str = ". From there all of the outline is where A has it.";
 
 #[test]
 fn beside_another_camera_limbs_that_are_turned_are_not_said_to_agree() {
-    for (limb, degrees) in [("Left elbow", -40.0), ("Right leg", 8.0)] {
+    for (limb, degrees, by, away) in [
+        ("Left elbow", -40.0, [25.0, 0.0], 1.25),
+        ("Right leg", 8.0, [25.0, 0.0], 1.25),
+        ("Left elbow", 25.0, [20.0, 10.0], 1.0),
+    ] {
         let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
         show_in(&mut story, Look::Course);
         keep_picture(&mut story, (980, 736));
-        turn_camera(&mut story, [25.0, 0.0]);
+        turn_camera(&mut story, by);
         let mut camera = story.session().view().camera;
-        camera.radius *= 1.25;
+        camera.radius *= away;
         story.program.session_mut().look(View::SetCamera(camera));
         story.click("[1] Adult (ID: 1)");
         turn_joints(&mut story, &[(limb, Vec3::Z * degrees)]);

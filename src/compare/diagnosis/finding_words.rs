@@ -120,7 +120,7 @@ impl fmt::Display for Finding {
                 fmt_outline(f, [(*only_a, *area_a), (*only_b, *area_b)])?;
                 if *everywhere {
                     f.write_str(
-                        ", in every part of the figure: another camera, or the whole figure posed otherwise",
+                        ", in every part of the figure: another camera, or the whole figure moved or posed otherwise",
                     )?;
                 }
                 Ok(())

@@ -120,10 +120,16 @@ pub(super) fn vector(of: [f64; 3]) -> String {
     format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
+/// A factor in words, to as many digits as single precision keeps through sums.
+fn factor_in_words(factor: f64) -> String {
+    let rounded = format!("{factor:.5e}").parse().unwrap_or(factor);
+    f64::to_string(&rounded)
+}
+
 /// What follows a turn, in words; nothing for a factor of one and no movement.
 fn scaled_and_moved(f: &mut fmt::Formatter<'_>, factor: f64, offset: [f64; 3]) -> fmt::Result {
     if (factor - 1.0).abs() > NO_SCALE {
-        write!(f, ", and {factor:.6} times as large")?;
+        write!(f, ", and {} times as large", factor_in_words(factor))?;
     }
     if is_told(offset) {
         write!(f, ", then moved by {}", vector(offset))?;
@@ -251,7 +257,7 @@ impl fmt::Display for MeshFinding {
             }
             Self::Offset { by } => write!(f, "B is A moved by {}", vector(*by)),
             Self::Scaled { factor, offset } => {
-                write!(f, "B is A {factor:.6} times as large")?;
+                write!(f, "B is A {} times as large", factor_in_words(*factor))?;
                 if is_told(*offset) {
                     write!(f, ", then moved by {}", vector(*offset))
                 } else {

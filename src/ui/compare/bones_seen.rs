@@ -1,5 +1,6 @@
 //! Bones of the characters in view, as they lie in its picture.
 
+use super::place::all_of;
 use crate::character::Joint;
 use crate::editor::Session;
 use crate::scene::{ShapeId, bones_in_world};
@@ -43,12 +44,7 @@ impl CharacterSeen<'_> {
     /// Names of joints, with the character's if there are several.
     pub fn names_of(&self, joints: &[usize]) -> String {
         let names: Vec<&str> = joints.iter().map(|&it| &*self.joints[it].name).collect();
-        let (last, others) = names.split_last().unwrap_or((&"", &[]));
-        let named = match others {
-            [] => (*last).to_owned(),
-            others => format!("{} and {last}", others.join(", ")),
-        };
-        self.of_character(&named)
+        self.of_character(&all_of(&names))
     }
 
     fn of_character(&self, joints: &str) -> String {

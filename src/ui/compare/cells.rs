@@ -136,6 +136,15 @@ impl Outline {
         }
         off as f32 / (self.cells.count() + other.count()).max(1) as f32
     }
+
+    /// How many cells of this outline and of the other one are more than so many away from the other, [`FARTHEST`] at most.
+    pub fn count_away(&self, other: &Cells, cells: usize) -> u32 {
+        let grown_other = (0..cells).fold(other.clone(), |grown, _| grown.grown());
+        let grown = cells
+            .checked_sub(1)
+            .map_or(&self.cells, |last| &self.grown[last]);
+        other.count_outside(grown) + self.cells.count_outside(&grown_other)
+    }
 }
 
 #[cfg(test)]
@@ -182,5 +191,8 @@ mod tests {
         );
         assert_eq!(outline.misfit(&square(60, 5)), 0.0);
         assert!(outline.misfit(&square(61, 11)) > misfits[2]);
+        // Of a square of five cells that was moved by three, one column of either is away by three.
+        let away = [0, 2, 3].map(|cells| outline.count_away(&square(63, 5), cells));
+        assert_eq!(away, [30, 10, 0]);
     }
 }

@@ -1,6 +1,7 @@
 //! What can be done about differences of pictures.
 
 use super::CompareView;
+use super::place::all_of;
 use crate::compare::{Differences, FigureOff, Finding};
 use crate::editor::Session;
 use crate::scene::{Camera, Look, ModelDisplay, Shape};
@@ -67,7 +68,7 @@ pub(super) fn other_edges(compare: &CompareView) -> Option<&'static str> {
 /// How many times as much the other picture shows where it differs that may show a mesh instead of a skeleton.
 const MESH_BY_SKELETON: usize = 2;
 
-/// That a character shows its skeleton, where the other picture may show its mesh.
+/// That characters show their skeletons, where the other picture may show its mesh.
 pub(super) fn other_display(session: &Session, off: Option<&FigureOff>) -> Option<String> {
     let off = off.filter(|off| off.theirs.len() > MESH_BY_SKELETON * off.ours.len());
     let shapes = off.map(|_| session.scene().shapes()).unwrap_or_default();
@@ -75,10 +76,18 @@ pub(super) fn other_display(session: &Session, off: Option<&FigureOff>) -> Optio
         let character = session.scene().character(shape.id);
         character.is_some_and(|it| shape.visible && it.display.mode == ModelDisplay::Skeleton)
     };
-    let shape = shapes.iter().find(is_skeleton)?;
+    let names = shapes.iter().filter(is_skeleton);
+    let names: Vec<&str> = names.map(|shape| &*shape.name).collect();
+    if names.is_empty() {
+        return None;
+    }
+    let (how, other) = match names.len() {
+        1 => ("its skeleton", "its mesh"),
+        _ => ("skeletons", "meshes"),
+    };
+    let names = all_of(&names);
     Some(format!(
-        "B shows {} as its skeleton: if A shows its mesh, choose Mesh Model for Model Display Mode.",
-        shape.name
+        "B shows {names} as {how}: if A shows {other}, choose Mesh Model for Model Display Mode."
     ))
 }
 

@@ -93,7 +93,7 @@ impl Body {
 }
 
 /// The scale of a character in a picture of such a height: that, or less where the character is small.
-fn scale(character: &CharacterSeen, height: f32) -> f32 {
+pub(super) fn scale(character: &CharacterSeen, height: f32) -> f32 {
     let pixels = || character.bones.iter().flat_map(|bone| bone.pixels.clone());
     let ends = pixels().reduce(Vec2::min).zip(pixels().reduce(Vec2::max));
     let size = ends.map(|(least, most)| (most - least).max_element());

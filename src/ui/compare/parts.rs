@@ -64,6 +64,15 @@ impl Kind {
         }
     }
 
+    /// Whether it is a shape in its place that has another color, or is displayed otherwise or not at all.
+    fn is_shown_otherwise(&self) -> bool {
+        match self {
+            Self::Character(how) => how.is_some(),
+            Self::Shape(how) => how.is_some_and(|how| how == How::Color || how.is_of_ours_alone()),
+            Self::Limb { .. } | Self::Absent | Self::All => false,
+        }
+    }
+
     /// Share of the figure that these pixels are which are off of it, in percent.
     fn percent(&self, [ours, theirs]: &Pixels, off: &FigureOff) -> f64 {
         let figure = (off.ours.len() + off.right.len()) as f64;
@@ -151,12 +160,12 @@ impl Differing<'_> {
             certainty,
         );
         let is_camera_right = limbs.is_camera_right;
-        // What a root turns is all of the figure, as what a camera shows that is elsewhere.
-        if !limbs.whole.is_empty() {
-            let alone = self.shown_otherwise_alone();
-            if alone.is_some() || !is_camera_right {
-                return alone.into_iter().collect();
-            }
+        // What a root turns is all of the figure, as what a camera shows that is elsewhere, unless it is only shown otherwise.
+        let may_be_camera = !limbs.whole.is_empty() && !is_camera_right;
+        if !limbs.whole.is_empty()
+            && let Some(alone) = self.shown_otherwise_alone()
+        {
+            return vec![alone];
         }
         let shapes = shapes_seen(self.session, self.size, &limbs.whole).into_iter();
         let shapes = shapes.filter(|shape| {
@@ -212,8 +221,13 @@ impl Differing<'_> {
             }
         }
         let mut parts = self.parts_of(candidates, pixels);
-        let may_be_camera = parts.iter().filter(|part| !part.kind.is_of_ours_alone());
-        let of_figure: f64 = may_be_camera.map(|part| part.percent).sum();
+        if may_be_camera {
+            let are_shown_otherwise = parts.iter().all(|part| part.kind.is_shown_otherwise());
+            parts.retain(|_| are_shown_otherwise && absent.is_empty());
+            return parts;
+        }
+        let by_camera = parts.iter().filter(|part| !part.kind.is_of_ours_alone());
+        let of_figure: f64 = by_camera.map(|part| part.percent).sum();
         if parts.len() + absent.len() > MOST || of_figure >= FIGURE && !is_camera_right {
             return Vec::new();
         }

@@ -1,8 +1,10 @@
 //! Differences placed by the bones of the characters in view.
 
 use super::apart::CameraTold;
-use super::bones_seen::characters_seen;
+use super::bones_seen::{CharacterSeen, characters_seen};
+use super::limbs::scale;
 use super::other_camera::OtherCamera;
+use super::turned::above;
 use crate::character::Joint;
 use crate::compare::{Area, sentence};
 use crate::editor::Session;
@@ -27,6 +29,15 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
     match joint {
         Some(joint) => near(&joint, &area.part_of(figure), None),
         None => sentence(&area.place_in(figure)),
+    }
+}
+
+/// All names in one phrase.
+pub(super) fn all_of(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [name] => (*name).to_owned(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
     }
 }
 
@@ -118,6 +129,10 @@ const BELOW: f32 = 0.5;
 /// of 600 pixels farther than its thumb, and its forearm 24.
 const AS_NEAR: f32 = 0.006;
 
+/// How large an extremity with its bones is at most, by the figure's scale, of which what carries it is named, where it is not known
+/// which of its joints are turned: of a hand that turns about itself fingers are seen to move.
+const EXTREMITY: f32 = 0.1;
+
 /// A bone beside an area of a picture.
 #[derive(Clone, Copy, Debug)]
 struct BoneBeside {
@@ -163,10 +178,28 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
             continue;
         };
         if nearest.as_ref().is_none_or(|(least, _)| *least > place) {
-            nearest = Some((place, character.name_of(joint)));
+            let carrier = carrier_of(&character, joint, EXTREMITY * scale(&character, size.y));
+            nearest = Some((place, character.name_of(carrier)));
         }
     }
     nearest.map(|(_, joint)| joint)
+}
+
+/// The joint that carries all of the extremity, up to so many pixels large, that a joint of a character is in; or itself.
+fn carrier_of(character: &CharacterSeen, joint: usize, largest: f32) -> usize {
+    let is_small = |joint: &usize| {
+        let bones = character.bones.iter();
+        let carried = bones.filter(|bone| above(character, bone.joint).any(|it| it == *joint));
+        let pixels: Vec<Vec2> = carried
+            .flat_map(|bone| bone.pixels.iter().copied())
+            .collect();
+        let ends = pixels.iter().copied().reduce(Vec2::min);
+        let ends = ends.zip(pixels.iter().copied().reduce(Vec2::max));
+        let is_root = character.joints[*joint].parent.is_none();
+        !is_root && ends.is_some_and(|(least, most)| (most - least).max_element() <= largest)
+    };
+    let carriers = above(character, joint).take_while(is_small);
+    carriers.last().unwrap_or(joint)
 }
 
 /// The same of one character with `bones`: a joint, and how far it is from being that which is meant. One that is up to

@@ -267,7 +267,7 @@ fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
         .collect()
 }
 
-/// Adds joints that carry little of the figure, of which several ends are off and nothing is right.
+/// Adds joints that carry little of the figure, of which several ends are off and few are right.
 fn turn_small_ones(character: &CharacterSeen, told: &[Told], scale: f32, turned: &mut [bool]) {
     // A joint comes before those that hang on it.
     for joint in 0..turned.len() {
@@ -282,9 +282,13 @@ fn turn_small_ones(character: &CharacterSeen, told: &[Told], scale: f32, turned:
         let is_branch_off =
             |branch: usize| below().any(|told| told.is_off && is_on(told.bone.joint, branch));
         let branches = (0..turned.len()).filter(|&it| character.joints[it].parent == Some(joint));
+        let [off, right] = [
+            below().filter(|told| told.is_off).count(),
+            below().filter(|told| told.is_right).count(),
+        ];
         turned[joint] |= character.joints[joint].parent.is_some()
             && reach <= SMALL * scale
-            && !below().any(|told| told.is_right)
+            && right as f32 <= RIGHT_BELOW * (off + right) as f32
             && branches.filter(|&branch| is_branch_off(branch)).count() > 1;
     }
 }
