@@ -8,8 +8,9 @@ use crate::ui::{FigureElsewhere, FloorSeen, PageFigure};
 
 /// How far the channels of a color may be apart in figures that agree, on the page …
 const SHADES: u8 = 48;
-/// … and in a picture of this program's own: a foot that is turned by 25 degrees has hardly other colors of normals.
-const OWN_SHADES: u8 = 12;
+/// … and in a picture of this program's own: a foot that is turned by 25 degrees has hardly other colors of normals, and with less what a jaw
+/// hardly moves beside it is off as well.
+const OWN_SHADES: u8 = 24;
 /// Half the width of the line of a bone, in pixels, with what is mixed with it.
 const HALF_A_LINE: usize = 3;
 

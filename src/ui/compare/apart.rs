@@ -5,7 +5,8 @@ use super::clusters::clusters;
 use super::elsewhere::placement_of_all;
 use super::how::How;
 use super::other_camera::other_camera;
-use super::parts::{Kind, Part, Parts, of_shapes, parts};
+use super::part::{Kind, Part};
+use super::parts::{Parts, of_shapes, parts};
 use super::place::{
     MUCH, absent, much_is_off, near, place, placed_elsewhere, seen_from_elsewhere, whole,
 };
@@ -193,6 +194,9 @@ fn places_of(parts: Vec<Part>) -> Vec<Place> {
 const MOST_APART: usize = 4;
 /// … and how far they are apart, by the picture's height.
 const APART: f32 = 0.025;
+/// Share of the box round a figure in which one of them is of no single joint, for that would have been found: of one of two characters
+/// whose weights were those of other joints it was 0.24.
+const MUCH_APART: f64 = 0.1;
 
 fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> Vec<Place> {
     let off = of_shapes(session, off, size);
@@ -201,7 +205,7 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
         return known;
     }
     let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
-    let is_much = |(area, _): &(Area, bool)| area.share_of(figure) >= MUCH;
+    let is_much = |(area, _): &(Area, bool)| area.share_of(figure) >= MUCH_APART;
     let are_many = apart.len() > MOST_APART;
     let share = off.ours.len() as f64 / (off.ours.len() + off.right.len()).max(1) as f64;
     if apart.iter().any(is_much) || are_many && share >= MUCH {

@@ -3,7 +3,7 @@
 use super::how::{how_of_character, how_of_shape};
 use super::limbs::Limb;
 use super::owned::{Owned, seen_at};
-use super::parts::Kind;
+use super::part::Kind;
 use super::seen_in_cells::SeenInCells;
 use super::shapes_seen::ShapeSeen;
 use crate::compare::FigureOff;

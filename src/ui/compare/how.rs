@@ -17,6 +17,8 @@ pub(super) enum How {
     ColorOrDisplay,
     /// It covers nearly that, in other colors: of a character also limbs are turned.
     ColorAndMore,
+    /// It covers some of what it should, in other colors: a character that stands elsewhere as well.
+    ColorAndPlace,
     /// It covers something else.
     Place,
     /// The same of a curve, which may have other control points.
@@ -39,10 +41,16 @@ impl How {
             Self::Color
             | Self::ColorOrDisplay
             | Self::ColorAndMore
+            | Self::ColorAndPlace
             | Self::Place
             | Self::PlaceOrPoints
             | Self::PlaceOrLines => false,
         }
+    }
+
+    /// Whether it is in its place, which it would not be seen by another camera.
+    pub fn is_in_place(self) -> bool {
+        matches!(self, Self::Color | Self::ColorOrDisplay | Self::Skeleton)
     }
 
     /// The same in words.
@@ -54,6 +62,9 @@ impl How {
             }
             Self::ColorAndMore => {
                 "its color or light differs, and a part of its outline, or it is turned to another side"
+            }
+            Self::ColorAndPlace => {
+                "its color or light differs, and it is moved, turned or scaled as a whole"
             }
             Self::Place => "it is moved, turned or scaled",
             Self::PlaceOrPoints => {
@@ -81,6 +92,10 @@ const OTHER_PLACE: f64 = 0.9;
 const RECOLORED_PLACE: f64 = 0.8;
 /// … and share of what is seen of it that is off, then: one that is moved by a little keeps its color where it still is.
 const RECOLORED: f32 = 0.95;
+
+/// Share of the pixels that a character covers in both pictures from which on it tells by its colors there whether these differ as well: of
+/// one that was scaled by 0.9 it was more than half.
+const RECOLORED_ELSEWHERE: f64 = 0.3;
 
 /// Share of what is seen of a character that the other picture shows elsewhere from which on it may be that: in the Studio look 0.03
 /// lay about the feet of one that is missing.
@@ -121,6 +136,7 @@ pub(super) fn how_of_character(
         _ if is_in_place && is_less(&inside, EMPTY, ours) => Some(How::MissingOrLines),
         SAME_PLACE.. => Some(How::ColorOrDisplay),
         RECOLORED_PLACE.. => Some(How::ColorAndMore),
+        RECOLORED_ELSEWHERE.. => Some(How::ColorAndPlace),
         _ => None,
     }
 }

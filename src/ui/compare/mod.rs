@@ -25,6 +25,7 @@ mod outlined;
 mod owned;
 mod page_figure;
 mod panel;
+mod part;
 mod parts;
 mod pictures;
 mod place;

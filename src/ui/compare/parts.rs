@@ -7,6 +7,7 @@ use super::clusters::{fill_an_area, without_strays};
 use super::how::{How, how_of_character};
 use super::limbs::{Body, limbs};
 use super::owned::{Owned, seen_at};
+use super::part::{Kind, Part, Pixels};
 use super::seen_in_cells::SeenInCells;
 use super::shapes_seen::shapes_seen;
 use super::turned::Certainty;
@@ -26,64 +27,6 @@ const FIGURE: f64 = 50.0;
 const LITTLE: f64 = 0.05;
 /// Most parts that differ by themselves.
 const MOST: usize = 6;
-
-/// A part that differs.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Part {
-    /// Name of the joint, with the character's if there are several, or of the shape.
-    pub name: String,
-    pub kind: Kind,
-    /// The area round what is off of it in either picture.
-    pub area: Area,
-    /// Share of the figure that this is, in percent.
-    pub percent: f64,
-}
-
-/// What a part is.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
-    /// A limb, with what else may be turned in its place in a sentence.
-    Limb { instead: Option<String> },
-    /// A shape without bones, and how it differs, as far as that is told.
-    Shape(Option<How>),
-    /// A character, of which more than limbs differs, and how if it does not stand elsewhere.
-    Character(Option<How>),
-    /// Something in the other picture where the live view has nothing; its name is that of a hidden shape, or empty.
-    Absent,
-    /// All that the live view shows, of which the other picture has nothing.
-    All,
-}
-
-impl Kind {
-    /// Whether what differs is in the live view alone, so that no camera that is elsewhere explains it.
-    fn is_of_ours_alone(&self) -> bool {
-        match self {
-            Self::Shape(how) | Self::Character(how) => how.is_some_and(How::is_of_ours_alone),
-            Self::Limb { .. } | Self::Absent => false,
-            Self::All => true,
-        }
-    }
-
-    /// Whether it is a shape in its place that has another color, or is displayed otherwise or not at all.
-    fn is_shown_otherwise(&self) -> bool {
-        match self {
-            Self::Character(how) => how.is_some(),
-            Self::Shape(how) => how.is_some_and(|how| how == How::Color || how.is_of_ours_alone()),
-            Self::Limb { .. } | Self::Absent | Self::All => false,
-        }
-    }
-
-    /// Share of the figure that these pixels are which are off of it, in percent.
-    fn percent(&self, [ours, theirs]: &Pixels, off: &FigureOff) -> f64 {
-        let figure = (off.ours.len() + off.right.len()) as f64;
-        let share = |pixels: usize| 100.0 * pixels as f64 / figure;
-        match self.is_of_ours_alone() {
-            true => share(ours.len()),
-            // The figure is as large in both pictures.
-            false => 0.5 * share(ours.len() + theirs.len()),
-        }
-    }
-}
 
 /// The parts that differ, and what is known beside them.
 #[derive(Clone, Debug, PartialEq)]
@@ -221,14 +164,16 @@ impl Differing<'_> {
             }
         }
         let mut parts = self.parts_of(candidates, pixels);
-        if may_be_camera {
+        if may_be_camera && !parts.iter().any(|part| part.kind.is_in_place()) {
             let are_shown_otherwise = parts.iter().all(|part| part.kind.is_shown_otherwise());
             parts.retain(|_| are_shown_otherwise && absent.is_empty());
             return parts;
         }
         let by_camera = parts.iter().filter(|part| !part.kind.is_of_ours_alone());
         let of_figure: f64 = by_camera.map(|part| part.percent).sum();
-        if parts.len() + absent.len() > MOST || of_figure >= FIGURE && !is_camera_right {
+        if parts.len() + absent.len() > MOST
+            || of_figure >= FIGURE && !is_camera_right && !may_be_camera
+        {
             return Vec::new();
         }
         // Without anything that is where it should be, what is drawn may as well be seen by another camera.
@@ -310,7 +255,8 @@ impl Differing<'_> {
         };
         let pixels = [&self.ours, &self.theirs];
         let pixels = pixels.map(|all| all.iter().copied().map(whole).collect());
-        let how = how_of_character(shape.id, (&self.owned, &self.seen), &pixels, self.off)?;
+        let how = how_of_character(shape.id, (&self.owned, &self.seen), &pixels, self.off)
+            .filter(|how| *how != How::ColorAndPlace)?;
         let kind = Kind::Character(Some(how));
         Some(Part {
             name: shape.name.clone(),
@@ -333,9 +279,6 @@ impl Differing<'_> {
         })
     }
 }
-
-/// Pixels `(x, y)` that are off of a candidate in the live view, and in the other picture.
-type Pixels = [Vec<(u32, u32)>; 2];
 
 fn whole(pixel: Vec2) -> (u32, u32) {
     (pixel.x as u32, pixel.y as u32)

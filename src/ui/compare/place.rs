@@ -95,7 +95,7 @@ pub(super) fn much_differs(place: &str) -> String {
 
 /// The same without a floor, where a camera is right or may be another one.
 pub(super) fn much_is_off(place: &str, camera: CameraTold) -> String {
-    const OTHERWISE: &str = "shapes are moved, turned or scaled, or several joints are turned";
+    const OTHERWISE: &str = "shapes are moved, turned or scaled, several joints are turned, or the skinning differs: Compare with Mesh tells how";
     let reason = match camera {
         CameraTold::Right => OTHERWISE.to_owned(),
         CameraTold::Other | CameraTold::Unknown => {
@@ -185,7 +185,7 @@ fn nearest_joint(session: &Session, area: Area, size: (u32, u32)) -> Option<Stri
     nearest.map(|(_, joint)| joint)
 }
 
-/// The joint that carries all of the extremity, up to so many pixels large, that a joint of a character is in; or itself.
+/// The joint that carries all ends of the extremity, up to so many pixels large, that a joint of a character is in; or itself.
 fn carrier_of(character: &CharacterSeen, joint: usize, largest: f32) -> usize {
     let is_small = |joint: &usize| {
         let bones = character.bones.iter();
@@ -198,8 +198,12 @@ fn carrier_of(character: &CharacterSeen, joint: usize, largest: f32) -> usize {
         let is_root = character.joints[*joint].parent.is_none();
         !is_root && ends.is_some_and(|(least, most)| (most - least).max_element() <= largest)
     };
-    let carriers = above(character, joint).take_while(is_small);
-    carriers.last().unwrap_or(joint)
+    let has_several = |joint: &usize| {
+        let joints = character.joints.iter();
+        joints.filter(|it| it.parent == Some(*joint)).count() > 1
+    };
+    let mut carriers = above(character, joint).take_while(is_small);
+    carriers.find(has_several).unwrap_or(joint)
 }
 
 /// The same of one character with `bones`: a joint, and how far it is from being that which is meant. One that is up to
