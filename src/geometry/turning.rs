@@ -8,7 +8,8 @@ const BACK: f64 = 3.0;
 
 /// How many times the direction of a closed polygon turns round on the way once along it, counter-clockwise: 1 or −1 unless it
 /// crosses itself. It stays the same where a part of the curve is pushed through another one, while the area that it encloses may
-/// change its sign (H. Whitney, *On regular closed curves in the plane*, 1937). `None` if an edge turns back. Corners that are up to `coinciding` apart count as one.
+/// change its sign (H. Whitney, *On regular closed curves in the plane*, 1937). `None` if an edge turns back. Corners that are up to
+/// `coinciding` apart count as one.
 pub(super) fn turning_number(corners: &[DVec2], coinciding: f64) -> Option<i32> {
     let mut apart: Vec<DVec2> = Vec::with_capacity(corners.len());
     for &corner in corners.iter().chain(corners.first()) {

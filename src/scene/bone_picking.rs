@@ -251,6 +251,16 @@ mod tests {
         ShapeKind::Character(shape)
     }
 
+    /// A camera before the middle of a figure, and the size of its picture.
+    fn view() -> (Camera, Vec2) {
+        let camera = Camera {
+            target: Vec3::new(0.0, 0.5, 0.0),
+            radius: 5.0,
+            ..Camera::default()
+        };
+        (camera, Vec2::new(800.0, 600.0))
+    }
+
     /// The index of the character, and the joint, whose bone is beside the middle of a picture.
     fn picked(figures: Vec<(ShapeKind, Vec3)>) -> Option<(usize, usize)> {
         let mut scene = Scene::new();
@@ -261,12 +271,7 @@ mod tests {
             ids.push(id);
         }
         let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-        let size = Vec2::new(800.0, 600.0);
-        let camera = Camera {
-            target: Vec3::new(0.0, 0.5, 0.0),
-            radius: 5.0,
-            ..Camera::default()
-        };
+        let (camera, size) = view();
         let beside = size / 2.0 + Vec2::new(4.0, 0.0);
         let hit = pick_bone(&scene, &evaluated, &camera, beside, size, 4.0)?;
         Some((ids.iter().position(|id| *id == hit.shape)?, hit.joint))
@@ -336,12 +341,7 @@ mod tests {
             figure(0.0, 0, ModelDisplay::Skeleton),
         ));
         let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-        let size = Vec2::new(800.0, 600.0);
-        let camera = Camera {
-            target: Vec3::new(0.0, 0.5, 0.0),
-            radius: 5.0,
-            ..Camera::default()
-        };
+        let (camera, size) = view();
         let shape = evaluated.shape(id).unwrap();
         let (_, start, end) = bones_in_world(&scene, shape).next().unwrap();
         for (place, away) in [(start, 1.0), (end, -1.0)] {

@@ -514,17 +514,8 @@ fn several_characters_that_are_shown_otherwise_are_told_and_no_camera() {
                 Some(mode) => shown_as(&story, shape.id, mode, BoneStyle::Lines),
                 None => Edit::SetColor(shape.id, ShapeColor::Custom(Vec3::new(0.9, 0.8, 0.1))),
             });
-            let edits: Vec<Edit> = edits.collect();
-            for edit in edits {
-                story.program.session_mut().edit(edit).unwrap();
-            }
-            story.settle();
-            keep_picture(&mut story, (800, 600));
-            story.key_with(Modifiers::COMMAND, Key::Z);
-            story.key_with(Modifiers::COMMAND, Key::Z);
-            story.key(Key::F8);
-            story.choose("mine.png");
-            judge(&mut story);
+            let edits = edits.collect();
+            beside_edits(&mut story, edits);
             let told = texts(&story);
             let mut names = whole(&story);
             names.sort_unstable();
@@ -585,16 +576,7 @@ fn of_two_characters_each_is_told_how_it_differs() {
             edits.push(Edit::SetTransform(other, smaller));
             edits.push(Edit::SetColor(other, blue));
         }
-        for edit in edits {
-            story.program.session_mut().edit(edit).unwrap();
-        }
-        story.settle();
-        keep_picture(&mut story, (800, 600));
-        story.key_with(Modifiers::COMMAND, Key::Z);
-        story.key_with(Modifiers::COMMAND, Key::Z);
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        beside_edits(&mut story, edits);
         let told = texts(&story);
         let how = |at: usize| {
             let name = &story.session().scene().shapes()[at].name;
@@ -762,14 +744,24 @@ fn beside_changed(
 fn beside_changed_in(mut story: Story, edit: impl FnOnce(&mut Story, ShapeId) -> Edit) -> Story {
     let first = story.session().scene().shapes()[0].id;
     let edit = edit(&mut story, first);
-    story.program.session_mut().edit(edit).unwrap();
-    story.settle();
-    keep_picture(&mut story, (800, 600));
-    story.key_with(Modifiers::COMMAND, Key::Z);
+    beside_edits(&mut story, vec![edit]);
+    story
+}
+
+/// Compares with a picture after these edits, which are taken back.
+fn beside_edits(story: &mut Story, edits: Vec<Edit>) {
+    let count = edits.len();
+    for edit in edits {
+        story.program.session_mut().edit(edit).unwrap();
+        story.settle();
+    }
+    keep_picture(story, (800, 600));
+    for _ in 0..count {
+        story.key_with(Modifiers::COMMAND, Key::Z);
+    }
     story.key(Key::F8);
     story.choose("mine.png");
-    judge(&mut story);
-    story
+    judge(story);
 }
 
 /// The edit that shows a character so.

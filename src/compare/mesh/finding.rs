@@ -1,3 +1,4 @@
+use super::numbers::{factor_in_words, is_told, length, vector};
 use super::signed_axis::SignedAxis;
 use crate::compare::Which;
 use glam::DVec3;
@@ -84,47 +85,8 @@ pub enum MeshFinding {
     TriangleOrder,
 }
 
-/// Digits of a length in words, beginning with the first that is not zero.
-const DIGITS: usize = 3;
-
-/// A length in words, as people write numbers; tiny and huge ones in a power of ten.
-pub(super) fn length(of: f64) -> String {
-    if !of.is_finite() {
-        return "infinite".to_owned();
-    }
-    if of == 0.0 {
-        return "0".to_owned();
-    }
-    // What rounds up to the next power of ten has its digits.
-    let rounded: f64 = format!("{of:.*e}", DIGITS - 1).parse().unwrap_or(of);
-    let power = rounded.abs().log10().floor() as i32;
-    if !(-5..6).contains(&power) {
-        return format!("{rounded:e}");
-    }
-    rounded.to_string()
-}
-
 /// How far from one a factor is none in words: rounding gives as much.
 const NO_SCALE: f64 = 1e-5;
-/// Coordinates up to this round to nothing in words.
-const NOTHING: f64 = 5e-7;
-
-/// Whether a movement is any in words.
-pub(super) fn is_told(movement: [f64; 3]) -> bool {
-    movement.iter().any(|along| along.abs() > NOTHING)
-}
-
-/// A place or a movement in words. What rounds to nothing has no sign.
-pub(super) fn vector(of: [f64; 3]) -> String {
-    let [x, y, z] = of.map(|value| if value.abs() <= NOTHING { 0.0 } else { value });
-    format!("({x:.6}, {y:.6}, {z:.6})")
-}
-
-/// A factor in words, to as many digits as single precision keeps through sums.
-fn factor_in_words(factor: f64) -> String {
-    let rounded = format!("{factor:.5e}").parse().unwrap_or(factor);
-    f64::to_string(&rounded)
-}
 
 /// What follows a turn, in words; nothing for a factor of one and no movement.
 fn scaled_and_moved(f: &mut fmt::Formatter<'_>, factor: f64, offset: [f64; 3]) -> fmt::Result {
@@ -373,23 +335,5 @@ mod tests {
             assert_eq!(finding.brief().as_deref(), Some(expected));
         }
         assert_eq!(MeshFinding::TriangleOrder.brief(), None);
-    }
-
-    #[test]
-    fn lengths_are_written_as_people_do() {
-        for (of, expected) in [
-            (0.7335992, "0.734"),
-            (0.0, "0"),
-            (12.0, "12"),
-            (0.99996, "1"),
-            (1234.5, "1230"),
-            (0.00001, "0.00001"),
-            (0.000_012_345, "0.0000123"),
-            (1.2345e-7, "1.23e-7"),
-            (9.876e9, "9.88e9"),
-            (f64::INFINITY, "infinite"),
-        ] {
-            assert_eq!(length(of), expected);
-        }
     }
 }

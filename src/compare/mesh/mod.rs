@@ -2,6 +2,7 @@
 
 mod finding;
 mod matching;
+mod numbers;
 mod place;
 mod placement;
 mod rounding;

@@ -1,7 +1,7 @@
 //! Where in a mesh vertices differ: by the parts it is made of, or else by the sides they are on.
 
-use super::finding::length;
 use super::is_apart;
+use super::numbers::length;
 use crate::math::Aabb;
 use glam::{DVec3, Vec3};
 use serde::Serialize;

@@ -2,7 +2,7 @@
 //! another, within a tolerance. Where B is larger, so is the tolerance: the rounding of A grew too.
 
 use super::MeshFinding;
-use super::finding::is_told;
+use super::numbers::is_told;
 use super::signed_axis::SignedAxis;
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! A comparison of meshes in words.
 
-use super::finding::{self, length};
+use super::numbers::{length, vector};
 use super::{MeshComparison, NEARLY, place};
 use std::fmt;
 
@@ -24,8 +24,8 @@ impl MeshComparison {
             Some([low, high]) => format!(
                 "{agreeing} of {} vertices agree; those that differ lie in A within {} to {}",
                 self.vertices,
-                finding::vector(low),
-                finding::vector(high)
+                vector(low),
+                vector(high)
             ),
         };
         Some(format!(

@@ -207,7 +207,8 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
     let apart = areas_apart(&off, (APART * size.1 as f32).max(1.0) as u32);
     let is_much = |(area, _): &(Area, bool)| area.share_of(figure) >= MUCH_APART;
     let are_many = apart.len() > MOST_APART;
-    let share = off.ours.len() as f64 / (off.ours.len() + off.right.len()).max(1) as f64;
+    let figure_pixels = off.ours.len() + off.right.len();
+    let share = off.ours.len() as f64 / figure_pixels.max(1) as f64;
     if apart.iter().any(is_much) || are_many && share >= MUCH {
         return vec![much(&off, figure)];
     }
@@ -216,9 +217,10 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
     }
     let places = apart.into_iter().map(|(area, is_ours)| {
         // Bones are where the live view has them.
-        let told = match is_ours {
-            true => place(session, area, figure, size),
-            false => sentence(&area.place_in(figure)),
+        let told = if is_ours {
+            place(session, area, figure, size)
+        } else {
+            sentence(&area.place_in(figure))
         };
         Place::new(told, area, CameraTold::Unknown)
     });

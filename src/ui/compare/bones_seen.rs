@@ -1,6 +1,6 @@
 //! Bones of the characters in view, as they lie in its picture.
 
-use super::place::all_of;
+use super::names::all_of;
 use crate::character::Joint;
 use crate::editor::Session;
 use crate::scene::{ShapeId, bones_in_world};
@@ -53,6 +53,12 @@ impl CharacterSeen<'_> {
             None => joints.to_owned(),
         }
     }
+}
+
+/// How large the box round pixels is, along its longer side; `None` of none.
+pub(super) fn extent(pixels: impl Iterator<Item = Vec2> + Clone) -> Option<f32> {
+    let most = pixels.clone().reduce(Vec2::max)?;
+    Some((most - pixels.reduce(Vec2::min)?).max_element())
 }
 
 /// The characters that are visible in a live view of `size` pixels.

@@ -1,7 +1,7 @@
 //! What can be done about differences of pictures.
 
 use super::CompareView;
-use super::place::all_of;
+use super::names::all_of;
 use crate::compare::{Differences, FigureOff, Finding};
 use crate::editor::Session;
 use crate::scene::{Camera, Look, ModelDisplay, Shape};

@@ -1,6 +1,6 @@
 //! Which limbs of a figure differ, by the bones of the characters in view.
 
-use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen};
+use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen, extent};
 use super::elsewhere::is_elsewhere;
 use super::owned::Owned;
 use super::turned::{Certainty, Instead, Turned, above, turned};
@@ -94,9 +94,8 @@ impl Body {
 
 /// The scale of a character in a picture of such a height: that, or less where the character is small.
 pub(super) fn scale(character: &CharacterSeen, height: f32) -> f32 {
-    let pixels = || character.bones.iter().flat_map(|bone| bone.pixels.clone());
-    let ends = pixels().reduce(Vec2::min).zip(pixels().reduce(Vec2::max));
-    let size = ends.map(|(least, most)| (most - least).max_element());
+    let bones = character.bones.iter();
+    let size = extent(bones.flat_map(|bone| bone.pixels.iter().copied()));
     size.map_or(height, |size| height.min(FILLS * size))
 }
 

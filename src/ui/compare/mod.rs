@@ -20,6 +20,7 @@ mod mesh_distances;
 mod mesh_marker;
 mod mesh_panel;
 mod mesh_view;
+mod names;
 mod other_camera;
 mod outlined;
 mod owned;

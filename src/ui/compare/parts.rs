@@ -102,12 +102,8 @@ impl Differing<'_> {
             self.size,
             certainty,
         );
-        let is_camera_right = limbs.is_camera_right;
-        // What a root turns is all of the figure, as what a camera shows that is elsewhere, unless it is only shown otherwise.
-        let may_be_camera = !limbs.whole.is_empty() && !is_camera_right;
-        if !limbs.whole.is_empty()
-            && let Some(alone) = self.shown_otherwise_alone()
-        {
+        let has_whole = !limbs.whole.is_empty();
+        if has_whole && let Some(alone) = self.shown_otherwise_alone() {
             return vec![alone];
         }
         let shapes = shapes_seen(self.session, self.size, &limbs.whole).into_iter();
@@ -164,16 +160,17 @@ impl Differing<'_> {
             }
         }
         let mut parts = self.parts_of(candidates, pixels);
-        if may_be_camera && !parts.iter().any(|part| part.kind.is_in_place()) {
-            let are_shown_otherwise = parts.iter().all(|part| part.kind.is_shown_otherwise());
-            parts.retain(|_| are_shown_otherwise && absent.is_empty());
-            return parts;
+        let is_in_place = |part: &Part| part.kind.is_in_place();
+        let is_camera_right = limbs.is_camera_right || has_whole && parts.iter().any(is_in_place);
+        // What a root turns is all of the figure, as what a camera shows that is elsewhere, unless it is only shown otherwise.
+        if has_whole && !is_camera_right {
+            let is_shown_otherwise = |part: &Part| part.kind.is_shown_otherwise();
+            let are_all = absent.is_empty() && parts.iter().all(is_shown_otherwise);
+            return if are_all { parts } else { Vec::new() };
         }
-        let by_camera = parts.iter().filter(|part| !part.kind.is_of_ours_alone());
-        let of_figure: f64 = by_camera.map(|part| part.percent).sum();
-        if parts.len() + absent.len() > MOST
-            || of_figure >= FIGURE && !is_camera_right && !may_be_camera
-        {
+        let may_be_camera = parts.iter().filter(|part| !part.kind.is_of_ours_alone());
+        let of_figure: f64 = may_be_camera.map(|part| part.percent).sum();
+        if parts.len() + absent.len() > MOST || of_figure >= FIGURE && !is_camera_right {
             return Vec::new();
         }
         // Without anything that is where it should be, what is drawn may as well be seen by another camera.

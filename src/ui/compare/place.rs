@@ -1,7 +1,7 @@
 //! Differences placed by the bones of the characters in view.
 
 use super::apart::CameraTold;
-use super::bones_seen::{CharacterSeen, characters_seen};
+use super::bones_seen::{CharacterSeen, characters_seen, extent};
 use super::limbs::scale;
 use super::other_camera::OtherCamera;
 use super::turned::above;
@@ -29,15 +29,6 @@ pub(super) fn place(session: &Session, area: Area, figure: Area, size: (u32, u32
     match joint {
         Some(joint) => near(&joint, &area.part_of(figure), None),
         None => sentence(&area.place_in(figure)),
-    }
-}
-
-/// All names in one phrase.
-pub(super) fn all_of(names: &[&str]) -> String {
-    match names {
-        [] => String::new(),
-        [name] => (*name).to_owned(),
-        [others @ .., last] => format!("{} and {last}", others.join(", ")),
     }
 }
 
@@ -190,13 +181,9 @@ fn carrier_of(character: &CharacterSeen, joint: usize, largest: f32) -> usize {
     let is_small = |joint: &usize| {
         let bones = character.bones.iter();
         let carried = bones.filter(|bone| above(character, bone.joint).any(|it| it == *joint));
-        let pixels: Vec<Vec2> = carried
-            .flat_map(|bone| bone.pixels.iter().copied())
-            .collect();
-        let ends = pixels.iter().copied().reduce(Vec2::min);
-        let ends = ends.zip(pixels.iter().copied().reduce(Vec2::max));
+        let extent = extent(carried.flat_map(|bone| bone.pixels.iter().copied()));
         let is_root = character.joints[*joint].parent.is_none();
-        !is_root && ends.is_some_and(|(least, most)| (most - least).max_element() <= largest)
+        !is_root && extent.is_some_and(|extent| extent <= largest)
     };
     let has_several = |joint: &usize| {
         let joints = character.joints.iter();

@@ -1,8 +1,9 @@
 //! Which joints of a character are turned, where the pixels of the live view that are off and that are right are known.
 
-use super::bones_seen::{BoneSeen, CharacterSeen};
+use super::bones_seen::{BoneSeen, CharacterSeen, extent};
 use super::owned::{Owned, Ownership};
 use glam::Vec2;
+use std::collections::HashSet;
 
 /// How far from a bone's line a pixel may be that is off where the bone is, by the figure's scale: the line runs through the
 /// middle of a limb, which is off unless the limb has hardly moved.
@@ -186,9 +187,12 @@ fn instead(character: &CharacterSeen, told: &[Told], turned: &[bool]) -> Vec<Ins
         let mut own = told.iter().filter(|told| told.bone.joint == joint);
         let is_hardly_off =
             own.any(|told| told.is_right && told.of_mesh.is_some_and(|off| off >= HARDLY_OFF));
-        let is_root = character.joints[joint].parent.is_none();
-        let is_known = is_known(told, joint) || is_root;
-        if turned[joint] || is_known && !is_hardly_off {
+        // A root of which nothing is seen turns all that hangs on it, and is turned then.
+        let may_be_turned = match character.joints[joint].parent {
+            Some(_) => is_hardly_off || !is_known(told, joint),
+            None => is_hardly_off,
+        };
+        if turned[joint] || !may_be_turned {
             continue;
         }
         let below = || {
@@ -269,27 +273,26 @@ fn turned_by(character: &CharacterSeen, told: &[Told]) -> Vec<bool> {
 
 /// Adds joints that carry little of the figure, of which several ends are off and few are right.
 fn turn_small_ones(character: &CharacterSeen, told: &[Told], scale: f32, turned: &mut [bool]) {
-    // A joint comes before those that hang on it.
-    for joint in 0..turned.len() {
-        let below = || {
-            let below = told.iter();
-            below.filter(|told| hangs_on(character, told.bone.joint, joint))
+    for (joint, turned) in turned.iter_mut().enumerate() {
+        if *turned || character.joints[joint].parent.is_none() {
+            continue;
+        }
+        let below = told.iter();
+        let below = below.filter(|told| hangs_on(character, told.bone.joint, joint));
+        let below: Vec<&Told> = below.collect();
+        let pixels = below
+            .iter()
+            .flat_map(|told| told.bone.pixels.iter().copied());
+        let is_small = extent(pixels).is_some_and(|extent| extent <= SMALL * scale);
+        let branch = |told: &&&Told| {
+            let mut above = above(character, told.bone.joint);
+            above.find(|&it| character.joints[it].parent == Some(joint))
         };
-        let pixels = || below().flat_map(|told| told.bone.pixels.iter().copied());
-        let ends = pixels().reduce(Vec2::min).zip(pixels().reduce(Vec2::max));
-        let reach = ends.map_or(0.0, |(least, most)| (most - least).max_element());
-        let is_on = |end: usize, of: usize| end == of || hangs_on(character, end, of);
-        let is_branch_off =
-            |branch: usize| below().any(|told| told.is_off && is_on(told.bone.joint, branch));
-        let branches = (0..turned.len()).filter(|&it| character.joints[it].parent == Some(joint));
-        let [off, right] = [
-            below().filter(|told| told.is_off).count(),
-            below().filter(|told| told.is_right).count(),
-        ];
-        turned[joint] |= character.joints[joint].parent.is_some()
-            && reach <= SMALL * scale
-            && right as f32 <= RIGHT_BELOW * (off + right) as f32
-            && branches.filter(|&branch| is_branch_off(branch)).count() > 1;
+        let off = below.iter().filter(|told| told.is_off);
+        let right = below.iter().filter(|told| told.is_right).count();
+        let all = off.clone().count() + right;
+        let branches: HashSet<usize> = off.filter_map(|told| branch(&told)).collect();
+        *turned = is_small && right as f32 <= RIGHT_BELOW * all as f32 && branches.len() > 1;
     }
 }
 
