@@ -729,6 +729,27 @@ fn a_skeleton_beside_a_picture_of_a_mesh_is_said_to_be_one() {
     }
 }
 
+#[test]
+fn all_skeletons_beside_a_picture_of_meshes_are_said_to_be_such() {
+    let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
+    show_in(&mut story, Look::Course);
+    let shapes = story.session().scene().shapes().iter();
+    let shapes: Vec<ShapeId> = shapes.map(|shape| shape.id).collect();
+    let shown = |story: &Story, mode| -> Vec<Edit> {
+        let shapes = shapes.iter();
+        let edits = shapes.map(|&shape| shown_as(story, shape, mode, BoneStyle::Lines));
+        edits.collect()
+    };
+    for edit in shown(&story, ModelDisplay::Skeleton) {
+        story.program.session_mut().edit(edit).unwrap();
+    }
+    let edits = shown(&story, ModelDisplay::Mesh);
+    beside_edits(&mut story, edits);
+    let told = texts(&story);
+    let hint = "B shows Adult and Robot as skeletons: if A shows meshes, choose Mesh Model";
+    assert!(has_text(&story, hint), "{told:?}");
+}
+
 /// The comparison with a picture in this look of these shapes, which were changed for that by the `edit` of the first.
 fn beside_changed(
     look: Look,
@@ -900,10 +921,13 @@ fn hands_feet_and_a_chest_are_told_by_themselves_and_not_by_what_hangs_on_them()
     for (look, joint, turned) in [
         (Look::Course, "hand.L", Vec3::Z * 40.0),
         (Look::Course, "hand.L", Vec3::X * 40.0),
+        (Look::Course, "hand.L", Vec3::Y * 40.0),
         (Look::Course, "foot.L", Vec3::X * 30.0),
         (Look::Studio, "hand.L", Vec3::Z * 40.0),
         (Look::Studio, "hand.R", Vec3::Y * 70.0),
         (Look::Mannequin, "hand.L", Vec3::Z * 40.0),
+        (Look::Mannequin, "hand.L", Vec3::Y * 40.0),
+        (Look::Mannequin, "hand.R", Vec3::Y * 30.0),
         (Look::Mannequin, "hand.R", Vec3::X * 60.0),
         (Look::Mannequin, "foot.R", Vec3::Z * 25.0),
         (Look::Mannequin, "foot.L", Vec3::X * 25.0),
@@ -986,6 +1010,55 @@ fn of_two_characters_that_are_each_in_the_pose_of_the_other_one_no_joint_is_blam
     let reason = "shapes are moved, turned or scaled, several joints are turned, or the skinning";
     let is_told = told.iter().any(|text| text.contains(reason));
     assert!(is_told, "{told:?}");
+}
+
+#[test]
+fn where_the_weights_of_one_of_two_characters_are_others_no_joint_is_blamed_but_the_skinning() {
+    let mut host = MemoryHost::default();
+    for extension in ["obj", "skel", "attach"] {
+        let name = format!("Model1.{extension}");
+        let Some(file) = course(&format!("characters/{name}")) else {
+            return;
+        };
+        host.files.insert(name.into(), std::fs::read(file).unwrap());
+    }
+    let posed = |host: &MemoryHost| {
+        let files = host.files.clone();
+        let host = MemoryHost {
+            files,
+            ..MemoryHost::default()
+        };
+        let mut story = Story::start_at(host, &["Model1.obj", "builtin:robot"]);
+        show_in(&mut story, Look::Course);
+        let model = story.session().scene().shapes()[0].id;
+        let pose = [
+            ("Right leg", Vec3::X * -27.0),
+            ("Right shoulder", Vec3::Z * -44.0),
+            ("Right knee", Vec3::X * 39.0),
+        ];
+        turn_joints_of(&mut story, model, &pose);
+        story
+    };
+    let mut story = posed(&host);
+    // Each weight is that of the joint before.
+    let attach = host.files.get_mut(Path::new("Model1.attach")).unwrap();
+    let text = String::from_utf8(std::mem::take(attach)).unwrap();
+    let shifted = text.lines().map(|line| {
+        let (first, others) = line.trim().split_once(' ').unwrap();
+        format!("{others} {first}\n")
+    });
+    *attach = shifted.collect::<String>().into_bytes();
+    let mut wrong = posed(&host);
+    keep_picture(&mut wrong, (800, 600));
+    let picture = wrong.host.files[Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), picture);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    let told = texts(&story);
+    assert!(!has_text(&story, "Near "), "{told:?}");
+    let end = "or the skinning differs: Compare with Mesh tells how.";
+    assert!(told.iter().any(|text| text.ends_with(end)), "{told:?}");
 }
 
 #[test]
