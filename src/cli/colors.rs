@@ -3,6 +3,7 @@
 use super::CliError;
 use crate::character::{Character, Pose};
 use crate::editor::Session;
+use crate::io::no_such_joint;
 use crate::render::ShapeNumbers;
 use crate::scene::CharacterNumber;
 
@@ -42,22 +43,23 @@ impl Colors {
         let characters: Vec<_> = shapes
             .filter_map(|shape| Some((shape.id, &*scene.character(shape.id)?.character)))
             .collect();
-        let Some((_, first)) = characters.first() else {
+        if characters.is_empty() {
             let text = "--colors is about characters, found none";
             return Err(CliError::Usage(text.to_owned()));
-        };
-        let joint = |character: &Character, name: &str| {
-            Pose::find_joint(character.skeleton(), name).map(CharacterNumber::Weight)
-        };
+        }
         let number = |character: &Character| match self {
-            Self::Weight(name) => joint(character, name).ok(),
+            Self::Weight(name) => {
+                let joint = Pose::find_joint(character.skeleton(), name).ok();
+                joint.map(CharacterNumber::Weight)
+            }
             Self::Influences => Some(CharacterNumber::Influences),
             Self::LostAtFour => Some(CharacterNumber::LostAtFour),
         };
         if let Self::Weight(name) = self
             && !characters.iter().any(|(_, c)| number(c).is_some())
-            && let Err(error) = joint(first, name)
         {
+            let skeletons: Vec<_> = characters.iter().map(|(_, c)| c.skeleton()).collect();
+            let error = no_such_joint(name, &skeletons);
             return Err(CliError::Usage(format!("--colors: {error}")));
         }
         let numbered = characters.iter();

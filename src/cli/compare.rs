@@ -127,11 +127,13 @@ fn compare(args: &Args) -> Result<(), CliError> {
                 (&args.b, &args.a)
             };
             // What is not there is told first: its name may be wrong.
-            for path in [&args.a, &args.b] {
-                files().read(path)?;
-            }
+            files().read(mesh)?;
+            let what = match image::is_picture(&files().read(other)?) {
+                true => "the picture ",
+                false => "what is no mesh, ",
+            };
             Err(CliError::Usage(format!(
-                "expected two pictures or two meshes, found the mesh {} and {}, which is none",
+                "expected two pictures or two meshes, found the mesh {} and {what}{}",
                 mesh.display(),
                 other.display()
             )))

@@ -43,7 +43,7 @@ pub(super) fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, Po
 const SUGGESTED: usize = 3;
 
 /// The message about `key`, which is a joint of none of `skeletons`; it lists names like it.
-pub(super) fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
+pub fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
     let found = scanner::quoted(key);
     if key.parse::<i64>().is_ok() {
         let most = skeletons.iter().map(|skeleton| skeleton.joints().len());

@@ -64,6 +64,7 @@ pub use file_importer::{
 };
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;
+pub use joint_names::no_such_joint;
 pub use loaded::Loaded;
 pub use missed_files::missed_files;
 pub use obj::{

@@ -233,7 +233,7 @@ fn json_is_one_object_for_wrong_usage_too() {
         (
             2,
             "a.png b.obj",
-            "found the mesh b.obj and a.png, which is none",
+            "found the mesh b.obj and the picture a.png",
         ),
         (1, "a.obj gone.png", "there is no such file"),
         (1, "gone.obj a.png", "there is no such file"),

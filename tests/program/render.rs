@@ -631,7 +631,10 @@ fn characters_are_colored_by_numbers_and_only_where_that_is_asked_for() {
         );
     }
     for (colors, told) in [
-        ("weight:Nobody", "Nobody"),
+        (
+            "weight:Tap",
+            "expected the name or index of a joint, such as “Tip”",
+        ),
         (
             "weight:",
             "expected weight:JOINT, influences or lost-at-four",
