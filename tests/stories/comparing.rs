@@ -352,7 +352,9 @@ fn course_character(look: Look, files: &[&str]) -> Option<Story> {
     }
     let mut story = Story::start_at(host, files);
     show_in(&mut story, look);
-    story.click("[1] Model1 (ID: 1)");
+    if files[0].contains("Model1") {
+        story.click("[1] Model1 (ID: 1)");
+    }
     Some(story)
 }
 
@@ -913,6 +915,35 @@ fn of_a_limb_that_is_turned_nothing_else_is_told() {
             judge(&mut story);
             assert_eq!(places(&story), [joint], "{look:?}");
         }
+    }
+}
+
+#[test]
+fn a_joint_that_is_turned_back_is_told_and_not_the_one_above_whose_limb_it_bends() {
+    let knee = Vec3::new(-4.0, -10.5, 69.5);
+    for (look, joint, [theirs, ours]) in [
+        (Look::Course, "Left knee", [-knee, knee]),
+        (Look::Studio, "Right knee", [-knee, knee]),
+        (
+            Look::Course,
+            "Right elbow",
+            [Vec3::Z * -50.0, Vec3::Z * 50.0],
+        ),
+        // What looks like it: the beginning of a limb hardly moves where all of it is turned a little.
+        (Look::Course, "Left shoulder", [Vec3::Z * 3.0, Vec3::ZERO]),
+        (Look::Course, "Left leg", [Vec3::X * 15.0, Vec3::ZERO]),
+    ] {
+        let Some(mut story) = course_character(look, &["models/Model1.obj"]) else {
+            return;
+        };
+        turn_joints(&mut story, &[(joint, theirs)]);
+        keep_picture(&mut story, (800, 600));
+        turn_joints(&mut story, &[(joint, ours)]);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        assert_eq!(places(&story), [joint], "{look:?} {told:?}");
     }
 }
 
@@ -2117,6 +2148,8 @@ fn beside_another_camera_limbs_that_are_turned_are_not_said_to_agree() {
     ] {
         let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
         show_in(&mut story, Look::Course);
+        // Not from where Home leads to, which would tell for sure.
+        turn_camera(&mut story, [8.0, 4.0]);
         keep_picture(&mut story, (980, 736));
         turn_camera(&mut story, by);
         let mut camera = story.session().view().camera;
@@ -2247,6 +2280,94 @@ fn no_joint_is_blamed_for_much_of_a_figure_where_a_shape_is_hidden_as_well() {
     story.choose("mine.png");
     judge(&mut story);
     assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
+}
+
+/// Shows the scene from a camera that looks so far beside where it does, and is so many times as far away.
+fn look_aside(story: &mut Story, aside: Vec3, away: f32) {
+    let mut camera = story.session().view().camera;
+    camera.target += aside;
+    camera.radius *= away;
+    let seen = vec![Action::View(View::SetCamera(camera))];
+    story.program.carry_out(seen, &mut story.host);
+    story.settle();
+}
+
+/// The comparison with a picture from much farther away that looks aside, and is turned by so many degrees.
+fn beside_far_camera(turned: f32) -> Story {
+    let mut story = Story::start(&["builtin:adult", "builtin:gem"]);
+    show_in(&mut story, Look::Course);
+    turn_camera(&mut story, [20.0, 8.0]);
+    look_aside(&mut story, Vec3::new(0.3, -0.4, 0.2), 2.0);
+    keep_picture(&mut story, (800, 600));
+    look_aside(&mut story, Vec3::new(-0.5, 0.5, 0.4), 0.45);
+    turn_camera(&mut story, [turned, 0.0]);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(&mut story);
+    story
+}
+
+#[test]
+fn a_camera_that_is_much_farther_away_and_looks_aside_is_told() {
+    let told = texts(&beside_far_camera(25.0));
+    let begin = "A is seen by another camera than B: ";
+    let camera = told.iter().find_map(|text| text.strip_prefix(begin));
+    let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
+    let (camera, _) = camera.split_once(ALL_AGREES).expect("a sentence");
+    for differs in ["farther to the right", "farther away", "looking farther"] {
+        assert!(camera.contains(differs), "{camera}");
+    }
+}
+
+#[test]
+fn where_all_of_the_outline_differs_a_figure_that_is_only_placed_elsewhere_is_told_by_that() {
+    let told = texts(&beside_far_camera(12.0));
+    let is_placed = |text: &String| text.starts_with("In B the whole figure is moved ");
+    assert!(told.iter().any(is_placed), "{told:?}");
+    let is_vague = |text: &String| text.contains("posed otherwise");
+    assert!(!told.iter().any(is_vague), "{told:?}");
+}
+
+#[test]
+fn a_camera_to_which_home_leads_is_told_with_that() {
+    let elbow = &[("Left elbow", Vec3::Z * 40.0)];
+    for (turned, presses) in [(&[][..], 1), (elbow, 1), (&[], 2)] {
+        let mut story = Story::start(&["builtin:adult"]);
+        show_in(&mut story, Look::Course);
+        (1..presses).for_each(|_| story.key(Key::Home));
+        keep_picture(&mut story, (800, 600));
+        look_aside(&mut story, Vec3::new(0.4, 0.3, 0.5), 0.4);
+        turn_joints(&mut story, turned);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        let is_told = |text: &String| text.starts_with("A is seen by another camera than B: ");
+        let camera = told.iter().find(|text| is_told(text));
+        let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
+        let leads = match presses {
+            1 => "Home leads there",
+            _ => "Home, pressed twice, leads there",
+        };
+        assert!(camera.contains(leads), "{camera}");
+        assert_eq!(
+            camera.contains("limbs are turned"),
+            !turned.is_empty(),
+            "{camera}"
+        );
+        // It is not said once more of the course's program.
+        assert!(!has_text(&story, "If A has the camera"), "{told:?}");
+        (0..presses).for_each(|_| story.key(Key::Home));
+        judge(&mut story);
+        let told = texts(&story);
+        match turned {
+            [] => assert!(
+                has_text(&story, "A and B are equal, pixel by pixel."),
+                "{told:?}"
+            ),
+            _ => assert_eq!(places(&story), ["Left elbow"], "{told:?}"),
+        }
+    }
 }
 
 #[test]

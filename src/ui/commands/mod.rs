@@ -20,7 +20,7 @@ pub(super) use gestures::gesture;
 pub(super) use keys::{is_page, key_now, remember_for_keys, tooltip, tooltip_now, with_key};
 pub(super) use pressed::{pressed, pressed_with_ctrl};
 pub(super) use run::{
-    curves, full_label, full_tooltip, is_on, run, second_home, selected_character,
+    curves, full_label, full_tooltip, homes, is_on, run, second_home, selected_character,
 };
 pub(super) use sweep::REVOLUTION_STEPS;
 pub(super) use table::{entries, entry_of, in_words, label, meant};

@@ -267,18 +267,32 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
     None
 }
 
-/// Inserts a new shape, with the name that the menu has for it.
 /// The camera that the program of the look starts with, to which Home leads from where the document began.
 pub(in crate::ui) fn second_home(session: &Session) -> Option<Camera> {
     let view = session.view();
-    let first = match view.look {
-        Look::Course => Camera::default(),
-        Look::Mannequin => Camera::of_mannequin(),
-        Look::Studio => return None,
-    };
-    (view.camera == *session.start_camera()).then_some(first)
+    (view.camera == *session.start_camera()).then(|| first_camera(view.look))?
 }
 
+/// The cameras to which Home leads when it is pressed, and when it is pressed twice.
+pub(in crate::ui) fn homes(session: &Session) -> [Camera; 2] {
+    let start = *session.start_camera();
+    let first = first_camera(session.view().look);
+    [
+        second_home(session).unwrap_or(start),
+        first.unwrap_or(start),
+    ]
+}
+
+/// The camera that the program of a look starts with.
+fn first_camera(look: Look) -> Option<Camera> {
+    match look {
+        Look::Course => Some(Camera::default()),
+        Look::Mannequin => Some(Camera::of_mannequin()),
+        Look::Studio => None,
+    }
+}
+
+/// Inserts a new shape, with the name that the menu has for it.
 fn insert(command: Command, primitive: Primitive, session: &Session) -> Action {
     let mut shape = NewShape::new(label(command), primitive.kind());
     set_beside_others(session, &mut shape);

@@ -28,6 +28,8 @@ pub(super) enum CameraTold {
     Right,
     /// The other picture has another one, or may have, which the place says.
     Other,
+    /// The other picture has the one that Home leads to, which the place says.
+    Home,
     /// It may be either.
     Unknown,
 }
@@ -152,7 +154,14 @@ fn parts_or_all(
     let are_absent = parts.iter().all(|part| part.kind == Kind::Absent);
     let all = match parts.len() {
         // Round a shape that is only larger in the other picture nothing is in the live view, either.
-        _ if are_absent => elsewhere().or_else(by_other_camera),
+        _ if are_absent => {
+            let by_other_camera = by_other_camera();
+            let is_home = |place: &Place| place.camera == CameraTold::Home;
+            match by_other_camera.as_ref().is_some_and(is_home) {
+                true => by_other_camera,
+                false => elsewhere().or(by_other_camera),
+            }
+        }
         1 => None,
         // What several parts would explain may be one camera.
         _ => by_other_camera(),
@@ -162,8 +171,12 @@ fn parts_or_all(
 
 /// All that is drawn, if it is where the other picture has it as another camera sees it.
 fn seen_by_other_camera(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
-    let told = seen_from_elsewhere(&other_camera(session, off, size)?);
-    Some(Place::new(told, off.area, CameraTold::Other))
+    let camera = other_camera(session, off, size)?;
+    let told = match camera.homes {
+        Some(_) => CameraTold::Home,
+        None => CameraTold::Other,
+    };
+    Some(Place::new(seen_from_elsewhere(&camera), off.area, told))
 }
 
 fn places_of(parts: Vec<Part>) -> Vec<Place> {
@@ -240,9 +253,8 @@ fn much(off: &FigureOff, figure: Area) -> Place {
 /// All that is drawn, if it has the outline of the other picture but stands elsewhere.
 fn elsewhere(session: &Session, off: &FigureOff, size: (u32, u32)) -> Option<Place> {
     let (placement, within) = placement_of_all(session, off, size)?;
-    let camera = CameraTold::Unknown;
-    let told = placed_elsewhere(&placement, within, camera);
-    Some(Place::new(told, off.area, camera))
+    let told = placed_elsewhere(&placement, within, CameraTold::Unknown);
+    Some(Place::new(told, off.area, CameraTold::Other))
 }
 
 /// The areas round pixels that are off which are at least about `cell` pixels apart, from the top down, and whether some of

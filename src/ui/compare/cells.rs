@@ -101,6 +101,20 @@ impl Cells {
         Self { words, ..*self }
     }
 
+    /// The middle of these, in cells, and how far they are spread round that; `None` of none.
+    pub fn middle_and_spread(&self) -> Option<(Vec2, f32)> {
+        let words = self.words.iter().enumerate();
+        let cells = words.flat_map(|(at, word)| {
+            let (row, first) = (at / self.words_a_row, at % self.words_a_row * 64);
+            let columns = (0..64).filter(move |column| word >> column & 1 == 1);
+            columns.map(move |column| Vec2::new((first + column) as f32, row as f32))
+        });
+        let count = self.count();
+        let middle = cells.clone().sum::<Vec2>() / count as f32;
+        let squares: f32 = cells.map(|cell| cell.distance_squared(middle)).sum();
+        (count > 0).then(|| (middle, (squares / count as f32).sqrt()))
+    }
+
     fn count(&self) -> u32 {
         self.words.iter().map(|word| word.count_ones()).sum()
     }
@@ -124,6 +138,11 @@ impl Outline {
             grown: grown.take(FARTHEST).collect(),
             cells,
         }
+    }
+
+    /// The cells that have something.
+    pub fn cells(&self) -> &Cells {
+        &self.cells
     }
 
     /// The mean distance in cells of this outline from the other one, and of that from this, as far as it is more than one.
@@ -178,6 +197,14 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn cells_are_spread_round_their_middle() {
+        let (middle, spread) = square(60, 5).middle_and_spread().unwrap();
+        assert_eq!(middle, Vec2::new(62.0, 7.0));
+        assert_eq!(spread, 2.0);
+        assert_eq!(Cells::none(grid()).middle_and_spread(), None);
     }
 
     #[test]

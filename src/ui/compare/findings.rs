@@ -103,7 +103,8 @@ pub(super) fn findings(
                 let is_told = |camera| apart.iter().any(|place| place.camera == camera);
                 let is_camera_right = is_told(CameraTold::Right);
                 // Where another one is found, the place says so.
-                let is_camera_known = is_camera_right || is_told(CameraTold::Other);
+                let is_home = is_told(CameraTold::Home);
+                let is_camera_known = is_camera_right || is_home || is_told(CameraTold::Other);
                 let findings = judgment.findings.iter().cloned();
                 let findings: Vec<Finding> = findings
                     .map(|finding| match is_camera_known {
@@ -111,8 +112,12 @@ pub(super) fn findings(
                         false => finding,
                     })
                     .collect();
-                let are_told_apart =
-                    |finding: &Finding| finding.is_without_cause() && !apart.is_empty();
+                // Of what is moved, Home tells more.
+                let is_told_by_home =
+                    |finding: &Finding| is_home && matches!(finding, Finding::Placed { .. });
+                let are_told_apart = |finding: &Finding| {
+                    (finding.is_without_cause() || is_told_by_home(finding)) && !apart.is_empty()
+                };
                 // Where it is comes before how many pixels it is.
                 if findings.iter().any(are_told_apart) {
                     say(ui, WHERE, palette.strong);
@@ -150,7 +155,8 @@ pub(super) fn findings(
                         }
                     }
                 }
-                let hint = hints::camera(session, &findings).filter(|_| !is_camera_right);
+                let hint =
+                    hints::camera(session, &findings).filter(|_| !is_camera_right && !is_home);
                 if let Some(hint) = hint {
                     say(ui, hint, palette.text);
                 }

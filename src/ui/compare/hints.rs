@@ -5,7 +5,7 @@ use super::names::all_of;
 use crate::compare::{Differences, FigureOff, Finding};
 use crate::editor::Session;
 use crate::scene::{Camera, Look, ModelDisplay, Shape};
-use crate::ui::commands::second_home;
+use crate::ui::commands::homes;
 
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
 const SMOOTH: &str =
@@ -28,7 +28,7 @@ pub(super) fn camera(session: &Session, findings: &[Finding]) -> Option<&'static
         _ => false,
     };
     let may_be_camera = view.look == Look::Course && view.camera != first;
-    let next = second_home(session).unwrap_or(*session.start_camera());
+    let [next, _] = homes(session);
     let hint = if next == first { CAMERA } else { CAMERA_TWICE };
     let is_open = findings.is_empty() || findings.iter().any(is_elsewhere);
     (may_be_camera && is_open).then_some(hint)

@@ -106,13 +106,14 @@ pub(super) fn limbs(
     owned: &Owned,
     off: &FigureOff,
     pixels: [&[Vec2]; 2],
+    theirs: &[Vec2],
     size: Vec2,
     certainty: Certainty,
 ) -> Limbs {
     let characters = characters_seen(session, size).into_iter();
     let characters = characters.map(|character| {
         let scale = scale(&character, size.y);
-        let turned = turned(&character, pixels, owned, (size, scale), certainty);
+        let turned = turned(&character, pixels, theirs, owned, (size, scale), certainty);
         (character, scale, turned)
     });
     let characters: Vec<_> = characters.collect();

@@ -37,8 +37,8 @@ pub(super) struct Owned<'a> {
     size: Vec2,
     /// Shapes without bones, and characters whose skeletons are seen.
     others: HashMap<ShapeId, Counts>,
-    /// Meshes of characters by the joint that moves them most, where it moves them by itself …
-    own: HashMap<(ShapeId, usize), Counts>,
+    /// Meshes of characters by the joint that moves them most, where it moves them by itself: pixels that are off, and right …
+    own: HashMap<(ShapeId, usize), [Vec<Vec2>; 2]>,
     /// … and anywhere.
     strongest: HashMap<(ShapeId, usize), Counts>,
 }
@@ -64,7 +64,7 @@ impl<'a> Owned<'a> {
                         let key = (shape, joint as usize);
                         owned.strongest.entry(key).or_default()[which] += 1;
                         if weight >= OWN {
-                            owned.own.entry(key).or_default()[which] += 1;
+                            owned.own.entry(key).or_default()[which].push(pixel);
                         }
                     }
                     Some(Seen::Mesh(_, None)) | None => {}
@@ -86,12 +86,27 @@ impl<'a> Owned<'a> {
 
     /// What is known of a joint of a shape.
     pub fn of(&self, shape: ShapeId, joint: usize) -> Ownership {
-        let counts = self.own.get(&(shape, joint));
-        match share_off(counts.copied().unwrap_or_default()) {
+        match self.off_where(shape, joint, |_| true) {
             Some(share) => Ownership::Off(share),
             None if self.own.keys().any(|(of, _)| *of == shape) => Ownership::Little,
             None => Ownership::Unknown,
         }
+    }
+
+    /// Pixels of a joint that are off.
+    pub fn off_pixels(&self, shape: ShapeId, joint: usize) -> &[Vec2] {
+        self.own.get(&(shape, joint)).map_or(&[], |[off, _]| off)
+    }
+
+    /// Share of the pixels of a joint that is off, of those that are such; `None` if they are too few.
+    pub fn off_where(
+        &self,
+        shape: ShapeId,
+        joint: usize,
+        is_such: impl Fn(Vec2) -> bool,
+    ) -> Option<f32> {
+        let own = self.own.get(&(shape, joint))?;
+        share_off([0, 1].map(|which| own[which].iter().filter(|at| is_such(**at)).count()))
     }
 
     /// Share of what is seen of a shape that is off where such joints move it more than others do; `None` if that is too
@@ -111,7 +126,7 @@ impl<'a> Owned<'a> {
         let is_still = |counts: &Counts| share_off(*counts).map(|off| off <= STILL);
         let mut joints: HashMap<ShapeId, Counts> = HashMap::new();
         for ((shape, _), counts) in &self.own {
-            if let Some(is_still) = is_still(counts) {
+            if let Some(is_still) = is_still(&[0, 1].map(|which| counts[which].len())) {
                 joints.entry(*shape).or_default()[usize::from(is_still)] += 1;
             }
         }

@@ -99,6 +99,7 @@ impl Differing<'_> {
             &self.owned,
             self.off,
             pixels,
+            &self.theirs,
             self.size,
             certainty,
         );

@@ -69,7 +69,9 @@ pub(super) fn placed_elsewhere(placement: &str, within: u32, camera: CameraTold)
         CameraTold::Right => {
             "the floor is where A has it, so that it is the shape or its root that stands elsewhere"
         }
-        CameraTold::Other => "the floor is elsewhere as well, so that it is another camera",
+        CameraTold::Other | CameraTold::Home => {
+            "the floor is elsewhere as well, so that it is another camera"
+        }
         CameraTold::Unknown => "another camera, or another place or size of the shape",
     };
     sentence(&format!(
@@ -89,7 +91,7 @@ pub(super) fn much_is_off(place: &str, camera: CameraTold) -> String {
     const OTHERWISE: &str = "shapes are moved, turned or scaled, several joints are turned, or the skinning differs: Compare with Mesh tells how";
     let reason = match camera {
         CameraTold::Right => OTHERWISE.to_owned(),
-        CameraTold::Other | CameraTold::Unknown => {
+        CameraTold::Other | CameraTold::Home | CameraTold::Unknown => {
             format!("A may be seen by another camera than B, or {OTHERWISE}")
         }
     };
@@ -98,14 +100,27 @@ pub(super) fn much_is_off(place: &str, camera: CameraTold) -> String {
 
 /// Sentence about what is drawn, all or most of which is where the other picture has it when another camera sees it.
 pub(super) fn seen_from_elsewhere(camera: &OtherCamera) -> String {
-    let agrees = match camera.explains_all {
-        true => "all of the outline is where A has it",
-        false => {
-            "most of the outline is where A has it, but not all: limbs are turned as well, or shapes differ"
+    let share = match camera.explains_all {
+        true => "all",
+        false => "most",
+    };
+    let home = match camera.homes {
+        None => None,
+        Some(1) => Some("Home leads there"),
+        Some(_) => Some("Home, pressed twice, leads there"),
+    };
+    let besides = match (camera.explains_all, home) {
+        (true, None) => ".".to_owned(),
+        (true, Some(home)) => format!(". {home}."),
+        (false, None) => ", but not all: limbs are turned as well, or shapes differ.".to_owned(),
+        // There it is known for sure.
+        (false, Some(home)) => {
+            format!(". {home}, and shows whether limbs are turned as well or shapes differ.")
         }
     };
     format!(
-        "A is seen by another camera than B: {}. From there {agrees}. Or all of it is turned, moved or scaled.",
+        "A is seen by another camera than B: {}. From there {share} of the outline is where A has it{besides} Or all of it is \
+         turned, moved or scaled.",
         camera.told
     )
 }

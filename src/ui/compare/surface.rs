@@ -39,6 +39,12 @@ impl Surface {
         })
     }
 
+    /// The middle of the points, in the world; `None` without any.
+    pub fn middle(&self) -> Option<Vec3> {
+        let sum: Vec3 = self.points.iter().sum();
+        (!self.points.is_empty()).then(|| sum / self.points.len() as f32)
+    }
+
     /// The cells that the surfaces are in as a camera sees them.
     pub fn covered(&self, camera: &Camera) -> Cells {
         let Grid { size, apart, .. } = self.grid;
