@@ -223,8 +223,13 @@ impl fmt::Display for PictureComparison {
                 told = place;
             }
         }
-        if differing_pixels > 0 && self.judgment.findings.is_empty() {
-            write!(f, "\nno single cause explains the differences")?;
+        let findings = &self.judgment.findings;
+        if differing_pixels > 0 && findings.iter().all(Finding::is_beside_others) {
+            let differences = match findings.is_empty() {
+                true => "differences",
+                false => "other differences",
+            };
+            write!(f, "\nno single cause explains the {differences}")?;
         }
         let verdict = if self.passed { "passed" } else { "failed" };
         write!(f, "\n{verdict}: at most {} may differ", self.allowed_pixels)

@@ -356,8 +356,6 @@ pub(super) fn cannot_open(
             "swp" => ".swp, which Import Curve reads".to_owned(),
             "obj" | "dae" => format!(".{extension}, which Import Shape and Import Character read"),
             "scene" => ".scene, which Open reads".to_owned(),
-            "txt" =>
-                ".txt: vertices alone are for compare, diagnose and Compare with Mesh".to_owned(),
             other => format!(".{other}"),
         }
     );

@@ -130,8 +130,6 @@ fn a_shape_is_no_character() {
 fn files_that_cannot_be_opened_say_which_can() {
     let mut files = with("a.blend", "x");
     files.insert(PathBuf::from("._man.obj"), b"x".to_vec());
-    files.insert(PathBuf::from("a.txt"), b"v 0 0 0".to_vec());
-    assert!(import_error(&files, "a.txt").ends_with("for compare, diagnose and Compare with Mesh"));
     assert_eq!(
         import_error(&files, "a.blend"),
         "a.blend: expected a file that can be imported (.obj, .swp, .dae), found .blend"

@@ -536,16 +536,13 @@ fn several_characters_that_are_shown_otherwise_are_told_and_no_camera() {
 #[test]
 fn of_two_characters_each_is_told_how_it_differs() {
     let blue = ShapeColor::Custom(Vec3::new(0.1, 0.2, 0.9));
-    for (is_skeleton, [first, second]) in [
+    let skeleton = "A shows its skeleton. Choose";
+    let placed = "it is moved, turned or scaled as a whole, or";
+    for (aside, [first, second]) in [
+        (Some(0.05), [skeleton, placed]),
+        (Some(0.4), [skeleton, placed]),
         (
-            true,
-            [
-                "A shows its skeleton. Choose",
-                "it is moved, turned or scaled as a whole, or",
-            ],
-        ),
-        (
-            false,
+            None,
             [
                 "",
                 "its color or light differs, and it is moved, turned or scaled as a whole.",
@@ -558,9 +555,9 @@ fn of_two_characters_each_is_told_how_it_differs() {
         let [one, other] = [0, 1].map(|at| shapes[at].id);
         let here = shapes[1].placement.transform;
         let mut edits = vec![];
-        if is_skeleton {
+        if let Some(aside) = aside {
             let aside = Transform {
-                position: here.position + Vec3::X * 0.05,
+                position: here.position + Vec3::X * aside,
                 ..here
             };
             edits.push(shown_as(
@@ -944,6 +941,27 @@ fn a_joint_that_is_turned_back_is_told_and_not_the_one_above_whose_limb_it_bends
         judge(&mut story);
         let told = texts(&story);
         assert_eq!(places(&story), [joint], "{look:?} {told:?}");
+    }
+}
+
+#[test]
+fn a_limb_is_told_beside_axes_that_one_picture_alone_shows() {
+    for look in [Look::Course, Look::Studio] {
+        let mut story = Story::start(&["builtin:adult", "builtin:goblet"]);
+        show_in(&mut story, look);
+        if story.session().view().axis {
+            story.key(Key::T);
+        }
+        story.click("[1] Adult (ID: 1)");
+        keep_picture(&mut story, (800, 600));
+        story.key(Key::T);
+        turn_joints(&mut story, &[("Left leg", Vec3::X * -45.0)]);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        judge(&mut story);
+        let told = texts(&story);
+        assert!(has_text(&story, "B shows the axes, A does not"), "{told:?}");
+        assert_eq!(places(&story), ["Left leg"], "{look:?} {told:?}");
     }
 }
 

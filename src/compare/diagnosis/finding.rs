@@ -205,6 +205,14 @@ impl Finding {
         }
     }
 
+    /// Whether something else differs as well, of which it says nothing.
+    pub fn is_beside_others(&self) -> bool {
+        matches!(
+            self,
+            Self::Background { alone: false, .. } | Self::Axes { alone: false, .. }
+        )
+    }
+
     /// The same without the camera as a possible cause, where it is known whether both pictures have one.
     #[must_use]
     pub fn without_camera(mut self) -> Self {

@@ -147,7 +147,11 @@ fn parts_or_all(
         all: parts,
         is_shape_still,
     } = parts(session, off, size);
-    let by_other_camera = || match is_shape_still || off.is_camera_right {
+    // Seen by another camera, no character would be in its place.
+    let is_in_place =
+        |part: &Part| matches!(part.kind, Kind::Character(_)) && part.kind.is_in_place();
+    let is_camera_right = is_shape_still || off.is_camera_right || parts.iter().any(is_in_place);
+    let by_other_camera = || match is_camera_right {
         true => None,
         false => seen_by_other_camera(session, off, size),
     };

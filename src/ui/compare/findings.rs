@@ -16,6 +16,10 @@ use egui::{Button, Ui};
 /// What is said before places that have no cause.
 const WHERE: &str = "The pictures differ here:";
 
+/// What is said where nothing else is known.
+const UNEXPLAINED: &str = "No single cause explains the differences.";
+const OTHERS_UNEXPLAINED: &str = "No single cause explains the other differences.";
+
 /// What is wrong, in words.
 pub(super) fn findings(
     ui: &mut Ui,
@@ -132,7 +136,7 @@ pub(super) fn findings(
                     }
                 }
                 match places {
-                    _ if !findings.is_empty() => {}
+                    _ if !findings.iter().all(Finding::is_beside_others) => {}
                     Some(places) if places.is_empty() => {
                         say(ui, page_figure::AGREES, palette.strong);
                     }
@@ -142,7 +146,8 @@ pub(super) fn findings(
                     }
                     None => {
                         let text = match apart.is_empty() {
-                            true => "No single cause explains the differences.",
+                            true if findings.is_empty() => UNEXPLAINED,
+                            true => OTHERS_UNEXPLAINED,
                             false => WHERE,
                         };
                         say(ui, text, palette.text);

@@ -130,9 +130,8 @@ pub(super) fn how_of_character(
     let all: Vec<_> = inside.iter().copied().chain(thin).collect();
     match share_of_both(ours, theirs) {
         _ if is_in_place && off.thin.is_some() && is_less(&all, EMPTY, ours) => Some(How::Missing),
-        _ if is_in_place && shows_skeleton(session, character, &all, off.apart, size) => {
-            Some(How::Skeleton)
-        }
+        // What is outside may be of another character that is elsewhere.
+        _ if shows_skeleton(session, character, &all, off.apart, size) => Some(How::Skeleton),
         _ if is_in_place && is_less(&inside, EMPTY, ours) => Some(How::MissingOrLines),
         SAME_PLACE.. => Some(How::ColorOrDisplay),
         RECOLORED_PLACE.. => Some(How::ColorAndMore),
