@@ -541,6 +541,8 @@ fn of_two_characters_each_is_told_how_it_differs() {
     for (aside, [first, second]) in [
         (Some(0.05), [skeleton, placed]),
         (Some(0.4), [skeleton, placed]),
+        // Far on the other side, where it lies about the first one and leaves nothing in its place.
+        (Some(-1.9), [skeleton, "A shows nothing in its place."]),
         (
             None,
             [
