@@ -108,6 +108,28 @@ fn differences_of_pictures_without_a_cause_are_told_to_have_none() {
 }
 
 #[test]
+fn axes_of_one_picture_alone_are_not_told_as_if_nothing_else_differed() {
+    let folder = tempfile::tempdir().unwrap();
+    let adult = "render builtin:adult --look studio";
+    for (options, picture) in [
+        ("--axis off", "rest.png"),
+        ("--axis on", "axes.png"),
+        ("--axis on --pose builtin:adult-wave", "posed.png"),
+    ] {
+        let line = format!("{adult} {options} -o {picture}");
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+    }
+    let told = "\nno single cause explains the other differences\nfailed";
+    for (other, is_more) in [("axes.png", false), ("posed.png", true)] {
+        let (_, out, _) = compare(&folder, &["rest.png", other]);
+        assert!(out.contains("found: B shows the axes, A does not"), "{out}");
+        assert_eq!(out.contains(told), is_more, "{out}");
+    }
+}
+
+#[test]
 fn threshold_allowance_and_ignored_areas_decide() {
     let folder = pictures();
     let code = |options: &[&str]| compare(&folder, &[&["a.png", "b.png"], options].concat()).0;
@@ -229,7 +251,13 @@ fn json_is_one_object_for_wrong_usage_too() {
     for name in ["a.obj", "b.obj"] {
         fs::copy(meshes().path().join(name), folder.path().join(name)).unwrap();
     }
+    fs::write(folder.path().join("c.bin"), [0, 159]).unwrap();
     for (expected, line, told) in [
+        (
+            2,
+            "a.obj c.bin",
+            "found the mesh a.obj and what is no mesh, c.bin",
+        ),
         (
             2,
             "a.png b.obj",

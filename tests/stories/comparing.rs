@@ -339,8 +339,8 @@ fn course_character_beside_shape(look: Look) -> Option<Story> {
     course_character(look, &["models/Model1.obj", "builtin:goblet"])
 }
 
-/// The same of these files.
-fn course_character(look: Look, files: &[&str]) -> Option<Story> {
+/// A host with the files of the course's first character.
+fn course_host() -> Option<MemoryHost> {
     let mut host = MemoryHost {
         stored: [crate::stories::started_before()].into(),
         ..MemoryHost::default()
@@ -350,11 +350,14 @@ fn course_character(look: Look, files: &[&str]) -> Option<Story> {
         let bytes = std::fs::read(course(&format!("characters/{name}"))?).unwrap();
         host.files.insert(format!("models/{name}").into(), bytes);
     }
-    let mut story = Story::start_at(host, files);
+    Some(host)
+}
+
+/// The same of these files.
+fn course_character(look: Look, files: &[&str]) -> Option<Story> {
+    let mut story = Story::start_at(course_host()?, files);
     show_in(&mut story, look);
-    if files[0].contains("Model1") {
-        story.click("[1] Model1 (ID: 1)");
-    }
+    story.click("[1] Model1 (ID: 1)");
     Some(story)
 }
 
@@ -439,9 +442,7 @@ fn smooth_edges_are_found_though_the_figure_is_elsewhere_at_first() {
         show_in(&mut story, look);
         keep_picture(&mut story, (800, 600));
         story.type_into("Position X", "0.2");
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let is_placed = |text: &String| text.to_lowercase().contains("the whole figure is moved ");
         assert!(
             texts(&story).iter().any(is_placed),
@@ -673,9 +674,7 @@ fn a_surface_that_is_shown_as_a_wireframe_is_not_said_to_be_moved_for_sure() {
         shown(&mut story, SurfaceVisibility::WireframeWithNormals);
         keep_picture(&mut story, (900, 700));
         shown(&mut story, SurfaceVisibility::Shaded);
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let told = texts(&story);
         let near = told.iter().find(|text| text.starts_with("Near Goblet"));
         let near = near.unwrap_or_else(|| panic!("{told:?}"));
@@ -696,9 +695,7 @@ fn the_lowest_shape_is_told_to_be_hidden_though_the_ground_has_risen_without_it(
     story.settle();
     keep_picture(&mut story, (900, 700));
     story.click("Hide Goblet");
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     let told = texts(&story);
     let is_hidden = |text: &String| text.ends_with("Goblet is hidden there.");
     assert!(told.iter().any(is_hidden), "{told:?}");
@@ -719,9 +716,7 @@ fn a_skeleton_beside_a_picture_of_a_mesh_is_said_to_be_one() {
         let edit = Edit::SetDisplay(shape, display);
         story.program.session_mut().edit(edit).unwrap();
         story.settle();
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let hint = "B shows Robot as its skeleton: if A shows its mesh, choose Mesh Model";
         let told = texts(&story);
         assert_eq!(has_text(&story, hint), is_told, "{told:?}");
@@ -749,6 +744,13 @@ fn all_skeletons_beside_a_picture_of_meshes_are_said_to_be_such() {
     let told = texts(&story);
     let hint = "B shows Adult and Robot as skeletons: if A shows meshes, choose Mesh Model";
     assert!(has_text(&story, hint), "{told:?}");
+}
+
+/// Compares with the picture that was kept.
+fn compare_with_kept(story: &mut Story) {
+    story.key(Key::F8);
+    story.choose("mine.png");
+    judge(story);
 }
 
 /// The comparison with a picture in this look of these shapes, which were changed for that by the `edit` of the first.
@@ -781,9 +783,7 @@ fn beside_edits(story: &mut Story, edits: Vec<Edit>) {
     for _ in 0..count {
         story.key_with(Modifiers::COMMAND, Key::Z);
     }
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(story);
+    compare_with_kept(story);
 }
 
 /// The edit that shows a character so.
@@ -938,9 +938,7 @@ fn a_joint_that_is_turned_back_is_told_and_not_the_one_above_whose_limb_it_bends
         turn_joints(&mut story, &[(joint, theirs)]);
         keep_picture(&mut story, (800, 600));
         turn_joints(&mut story, &[(joint, ours)]);
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let told = texts(&story);
         assert_eq!(places(&story), [joint], "{look:?} {told:?}");
     }
@@ -958,9 +956,7 @@ fn a_limb_is_told_beside_axes_that_one_picture_alone_shows() {
         keep_picture(&mut story, (800, 600));
         story.key(Key::T);
         turn_joints(&mut story, &[("Left leg", Vec3::X * -45.0)]);
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let told = texts(&story);
         assert!(has_text(&story, "B shows the axes, A does not"), "{told:?}");
         assert_eq!(places(&story), ["Left leg"], "{look:?} {told:?}");
@@ -1053,9 +1049,7 @@ fn of_two_characters_that_are_each_in_the_pose_of_the_other_one_no_joint_is_blam
     pose(&mut story, poses);
     keep_picture(&mut story, (800, 600));
     pose(&mut story, [poses[1], poses[0]]);
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     let told = texts(&story);
     assert!(!has_text(&story, "Near "), "{told:?}");
     let reason = "shapes are moved, turned or scaled, several joints are turned, or the skinning";
@@ -1065,21 +1059,9 @@ fn of_two_characters_that_are_each_in_the_pose_of_the_other_one_no_joint_is_blam
 
 #[test]
 fn where_the_weights_of_one_of_two_characters_are_others_no_joint_is_blamed_but_the_skinning() {
-    let mut host = MemoryHost::default();
-    for extension in ["obj", "skel", "attach"] {
-        let name = format!("Model1.{extension}");
-        let Some(file) = course(&format!("characters/{name}")) else {
-            return;
-        };
-        host.files.insert(name.into(), std::fs::read(file).unwrap());
-    }
-    let posed = |host: &MemoryHost| {
-        let files = host.files.clone();
-        let host = MemoryHost {
-            files,
-            ..MemoryHost::default()
-        };
-        let mut story = Story::start_at(host, &["Model1.obj", "builtin:robot"]);
+    let Some(host) = course_host() else { return };
+    let posed = |host: MemoryHost| {
+        let mut story = Story::start_at(host, &["models/Model1.obj", "builtin:robot"]);
         show_in(&mut story, Look::Course);
         let model = story.session().scene().shapes()[0].id;
         let pose = [
@@ -1090,22 +1072,26 @@ fn where_the_weights_of_one_of_two_characters_are_others_no_joint_is_blamed_but_
         turn_joints_of(&mut story, model, &pose);
         story
     };
-    let mut story = posed(&host);
     // Each weight is that of the joint before.
-    let attach = host.files.get_mut(Path::new("Model1.attach")).unwrap();
+    let mut files = host.files.clone();
+    let attach = files.get_mut(Path::new("models/Model1.attach")).unwrap();
     let text = String::from_utf8(std::mem::take(attach)).unwrap();
     let shifted = text.lines().map(|line| {
         let (first, others) = line.trim().split_once(' ').unwrap();
         format!("{others} {first}\n")
     });
     *attach = shifted.collect::<String>().into_bytes();
-    let mut wrong = posed(&host);
+    let stored = host.stored.clone();
+    let mut story = posed(host);
+    let mut wrong = posed(MemoryHost {
+        files,
+        stored,
+        ..MemoryHost::default()
+    });
     keep_picture(&mut wrong, (800, 600));
     let picture = wrong.host.files[Path::new("mine.png")].clone();
     story.host.files.insert("mine.png".into(), picture);
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     let told = texts(&story);
     assert!(!has_text(&story, "Near "), "{told:?}");
     let end = "or the skinning differs: Compare with Mesh tells how.";
@@ -1898,9 +1884,7 @@ fn changed_beside_its_picture(
     show_in(&mut story, look);
     keep_picture(&mut story, (800, 600));
     change(&mut story);
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     assert_eq!(story.session().view().look, look);
     Some(story)
 }
@@ -2156,37 +2140,37 @@ fn a_root_that_is_moved_a_little_is_told_by_the_floor_of_the_page_from_a_camera_
     }
 }
 
-/// What is said where another camera alone explains what differs.
+/// What is said first of another camera, …
+const OTHER_CAMERA: &str = "A is seen by another camera than B: ";
+/// … and where it alone explains what differs.
 const ALL_AGREES: &str = ". From there all of the outline is where A has it.";
 
 #[test]
 fn beside_another_camera_limbs_that_are_turned_are_not_said_to_agree() {
-    for (limb, degrees, by, away) in [
-        ("Left elbow", -40.0, [25.0, 0.0], 1.25),
-        ("Right leg", 8.0, [25.0, 0.0], 1.25),
-        ("Left elbow", 25.0, [20.0, 10.0], 1.0),
-    ] {
-        let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
-        show_in(&mut story, Look::Course);
-        // Not from where Home leads to, which would tell for sure.
-        turn_camera(&mut story, [8.0, 4.0]);
-        keep_picture(&mut story, (980, 736));
-        turn_camera(&mut story, by);
-        let mut camera = story.session().view().camera;
-        camera.radius *= away;
-        story.program.session_mut().look(View::SetCamera(camera));
-        story.click("[1] Adult (ID: 1)");
-        turn_joints(&mut story, &[(limb, Vec3::Z * degrees)]);
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
-        let told = texts(&story);
-        let is_camera = |text: &&String| text.starts_with("A is seen by another camera than B: ");
-        let camera = told.iter().find(is_camera);
-        let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
-        let agrees =
-            ". From there most of the outline is where A has it, but not all: limbs are turned";
-        assert!(camera.contains(agrees), "{camera}");
+    // From elsewhere, and from where Home leads to, which may be told as what shows them.
+    for (from, besides) in [([8.0, 4.0], ", but not all: "), ([0.0, 0.0], "")] {
+        let agrees = format!(". From there most of the outline is where A has it{besides}");
+        for (limb, degrees, by, away) in [
+            ("Left elbow", -40.0, [25.0, 0.0], 1.25),
+            ("Right leg", 8.0, [25.0, 0.0], 1.25),
+            ("Left elbow", 25.0, [20.0, 10.0], 1.0),
+        ] {
+            let mut story = Story::start(&["builtin:adult", "builtin:robot"]);
+            show_in(&mut story, Look::Course);
+            turn_camera(&mut story, from);
+            keep_picture(&mut story, (980, 736));
+            turn_camera(&mut story, by);
+            look_aside(&mut story, Vec3::ZERO, away);
+            story.click("[1] Adult (ID: 1)");
+            turn_joints(&mut story, &[(limb, Vec3::Z * degrees)]);
+            compare_with_kept(&mut story);
+            let told = texts(&story);
+            let is_camera = |text: &&String| text.starts_with(OTHER_CAMERA);
+            let camera = told.iter().find(is_camera);
+            let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
+            assert!(camera.contains(&agrees), "{camera}");
+            assert!(camera.contains("limbs are turned"), "{camera}");
+        }
     }
 }
 
@@ -2195,13 +2179,10 @@ fn beside_another_camera_limbs_that_are_turned_are_not_said_to_agree() {
 fn told_of_camera(story: &mut Story, turned_by: [f32; 2]) -> String {
     keep_picture(story, (800, 600));
     turn_camera(story, turned_by);
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(story);
+    compare_with_kept(story);
     let told = texts(story);
     assert!(!has_text(story, "Near "), "{told:?}");
-    let begin = "A is seen by another camera than B: ";
-    let camera = told.iter().find_map(|text| text.strip_prefix(begin));
+    let camera = told.iter().find_map(|text| text.strip_prefix(OTHER_CAMERA));
     let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
     let (camera, _) = camera.split_once(ALL_AGREES).expect("a sentence");
     camera.to_owned()
@@ -2256,9 +2237,7 @@ fn no_camera_is_blamed_where_a_part_of_a_figure_is_exactly_the_same() {
     keep_picture(&mut story, (1000, 750));
     story.type_into("Right knee X", "30");
     story.type_into("Left hip X", "25");
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     let told = texts(&story);
     assert!(has_text(&story, "Near Right knee"), "{told:?}");
     let is_camera = |text: &String| text.contains("another camera");
@@ -2296,9 +2275,7 @@ fn no_joint_is_blamed_for_much_of_a_figure_where_a_shape_is_hidden_as_well() {
     let seen = vec![Action::View(View::SetCamera(turned))];
     story.program.carry_out(seen, &mut story.host);
     story.click("Hide Gem");
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
 }
 
@@ -2321,17 +2298,14 @@ fn beside_far_camera(turned: f32) -> Story {
     keep_picture(&mut story, (800, 600));
     look_aside(&mut story, Vec3::new(-0.5, 0.5, 0.4), 0.45);
     turn_camera(&mut story, [turned, 0.0]);
-    story.key(Key::F8);
-    story.choose("mine.png");
-    judge(&mut story);
+    compare_with_kept(&mut story);
     story
 }
 
 #[test]
 fn a_camera_that_is_much_farther_away_and_looks_aside_is_told() {
     let told = texts(&beside_far_camera(25.0));
-    let begin = "A is seen by another camera than B: ";
-    let camera = told.iter().find_map(|text| text.strip_prefix(begin));
+    let camera = told.iter().find_map(|text| text.strip_prefix(OTHER_CAMERA));
     let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
     let (camera, _) = camera.split_once(ALL_AGREES).expect("a sentence");
     for differs in ["farther to the right", "farther away", "looking farther"] {
@@ -2358,11 +2332,9 @@ fn a_camera_to_which_home_leads_is_told_with_that() {
         keep_picture(&mut story, (800, 600));
         look_aside(&mut story, Vec3::new(0.4, 0.3, 0.5), 0.4);
         turn_joints(&mut story, turned);
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let told = texts(&story);
-        let is_told = |text: &String| text.starts_with("A is seen by another camera than B: ");
+        let is_told = |text: &String| text.starts_with(OTHER_CAMERA);
         let camera = told.iter().find(|text| is_told(text));
         let camera = camera.unwrap_or_else(|| panic!("{told:?}"));
         let leads = match presses {
@@ -2427,9 +2399,7 @@ fn several_joints_that_are_turned_are_told_and_no_camera() {
         let edit = Edit::SetPose(id, pose);
         story.program.session_mut().edit(edit).unwrap();
         story.settle();
-        story.key(Key::F8);
-        story.choose("mine.png");
-        judge(&mut story);
+        compare_with_kept(&mut story);
         let told = texts(&story);
         assert!(!has_text(&story, "A is seen by another camera"), "{told:?}");
         for (name, _) in turned {

@@ -270,7 +270,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
 /// The camera that the program of the look starts with, to which Home leads from where the document began.
 pub(in crate::ui) fn second_home(session: &Session) -> Option<Camera> {
     let view = session.view();
-    (view.camera == *session.start_camera()).then(|| first_camera(view.look))?
+    let is_at_start = view.camera == *session.start_camera();
+    first_camera(view.look).filter(|_| is_at_start)
 }
 
 /// The cameras to which Home leads when it is pressed, and when it is pressed twice.

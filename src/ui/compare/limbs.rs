@@ -3,6 +3,7 @@
 use super::bones_seen::{BoneSeen, CharacterSeen, characters_seen, extent};
 use super::elsewhere::is_elsewhere;
 use super::owned::Owned;
+use super::pixel_map::PixelMaps;
 use super::turned::{Certainty, Instead, Turned, above, turned};
 use crate::compare::FigureOff;
 use crate::editor::Session;
@@ -100,20 +101,19 @@ pub(super) fn scale(character: &CharacterSeen, height: f32) -> f32 {
 }
 
 /// The limbs that differ in a live view of `size` pixels: those of the joints nearest to the root that turn bones which are at
-/// `pixels` that are `off`, while others are at such that are right.
+/// pixels that are `off`, while others are at such that are right.
 pub(super) fn limbs(
     session: &Session,
     owned: &Owned,
     off: &FigureOff,
-    pixels: [&[Vec2]; 2],
-    theirs: &[Vec2],
+    maps: &PixelMaps,
     size: Vec2,
     certainty: Certainty,
 ) -> Limbs {
     let characters = characters_seen(session, size).into_iter();
     let characters = characters.map(|character| {
         let scale = scale(&character, size.y);
-        let turned = turned(&character, pixels, theirs, owned, (size, scale), certainty);
+        let turned = turned(&character, maps, owned, scale, certainty);
         (character, scale, turned)
     });
     let characters: Vec<_> = characters.collect();

@@ -29,6 +29,7 @@ mod panel;
 mod part;
 mod parts;
 mod pictures;
+mod pixel_map;
 mod place;
 mod seen_in_cells;
 mod settings;

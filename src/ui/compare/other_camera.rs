@@ -100,21 +100,16 @@ pub(super) fn other_camera(
     if of_itself > KNOWN {
         return None;
     }
+    let search = Search::new(&surface, &theirs, grid)?;
     let before = theirs.misfit(&still);
-    let middle = surface.middle()?;
-    let misfit = |camera: &Camera| theirs.misfit(&surface.covered(camera));
-    let starts = starts(here, middle).flat_map(|turned| {
-        let aligned = aligned(turned, &surface.covered(&turned), &theirs, grid);
-        [Some(turned), aligned].into_iter().flatten()
-    });
-    let (after, there) = search(starts, middle, misfit)?;
-    let is_as_good = |camera: &Camera| misfit(camera) <= after + AS_GOOD;
+    let (after, there) = search.best(here)?;
+    let is_as_good = |camera: &Camera| search.misfit(camera) <= after + AS_GOOD;
+    let is_good_home = |home: &Camera| search.misfit(home) <= HOME_AS_GOOD * after + AS_GOOD;
     let mut homes = (1..).zip(homes(session));
-    let is_good_home = |home: &Camera| misfit(home) <= HOME_AS_GOOD * after + AS_GOOD;
     let home = homes.find(|(_, home)| *home != here && is_good_home(home));
     let there = match home {
         Some((_, home)) => home,
-        None => amid_as_good(unturned(there, here, is_as_good), middle, is_as_good),
+        None => search.amid_as_good(unturned(there, here, is_as_good), is_as_good),
     };
     let is_exact = after <= EXACT || home.is_some();
     let is_same = after <= LIKE_ITSELF * of_itself + ROUNDING;
@@ -135,76 +130,113 @@ pub(super) fn other_camera(
     })
 }
 
-/// The camera that is so much farther away, and looks so far beside, that what is `covered` from `here` is about as large as the other
-/// picture has it, and where.
-fn aligned(here: Camera, covered: &Cells, theirs: &Outline, grid: Grid) -> Option<Camera> {
-    let (middle, spread) = covered.middle_and_spread()?;
-    let (their_middle, their_spread) = theirs.cells().middle_and_spread()?;
-    let farther = spread / their_spread;
-    let center = 0.5 * grid.size / grid.step as f32;
-    let by = (their_middle - center) - (middle - center) / farther;
-    // Of the whole height, at the distance of the target.
-    let height = 2.0 * (0.5 * here.fovy).tan() * farther;
-    let aside = by * (height * grid.step as f32 / grid.size.y);
-    let is_finite = farther.is_finite() && farther > 0.0 && aside.is_finite();
-    is_finite.then(|| {
-        moved(
-            here,
-            here.target,
-            [0.0, 0.0, farther.ln(), -aside.x, aside.y],
-        )
-    })
+/// The search for a camera that shows surfaces where the other picture has what is drawn.
+struct Search<'a> {
+    surface: &'a Surface,
+    theirs: &'a Outline,
+    grid: Grid,
+    /// The middle of the surfaces, in the world, about which cameras are turned.
+    about: Vec3,
+    /// The middle of what is drawn in the other picture, and how far that is spread, in cells.
+    their_middle: Vec2,
+    their_spread: f32,
 }
 
-/// Cameras in the directions that are tried first.
-fn starts(here: Camera, middle: Vec3) -> impl Iterator<Item = Camera> {
-    let directions = AROUND
-        .into_iter()
-        .flat_map(|theta| ABOVE.map(|phi| [theta, phi]));
-    directions.map(move |[theta, phi]| moved(here, middle, [theta, phi, 0.0, 0.0, 0.0]))
-}
-
-/// The camera with the least misfit that is found from the best of some to start from, with that.
-fn search(
-    starts: impl Iterator<Item = Camera>,
-    middle: Vec3,
-    misfit: impl Fn(&Camera) -> f32,
-) -> Option<(f32, Camera)> {
-    let rated = |camera: Camera| (misfit(&camera), camera);
-    let mut starts: Vec<(f32, Camera)> = starts.map(rated).collect();
-    starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    starts.truncate(STARTS);
-    let found = starts
-        .into_iter()
-        .map(|start| refined(start, middle, rated));
-    found.min_by(|(a, _), (b, _)| a.total_cmp(b))
-}
-
-/// The best camera from which no step is better.
-fn refined(
-    mut best: (f32, Camera),
-    middle: Vec3,
-    rated: impl Fn(Camera) -> (f32, Camera),
-) -> (f32, Camera) {
-    let mut part = 1.0;
-    for _ in 0..MOST_STEPS {
-        if part <= LAST {
-            break;
-        }
-        let steps = [STEP, STEP, NEARER, ASIDE, ASIDE].map(|step| part * step);
-        let tried = (0..steps.len()).flat_map(|along| {
-            [-1.0, 1.0].map(|way| {
-                let mut by = [0.0; 5];
-                by[along] = way * steps[along];
-                rated(moved(best.1, middle, by))
-            })
-        });
-        match tried.min_by(|(a, _), (b, _)| a.total_cmp(b)) {
-            Some(better) if better.0 < best.0 => best = better,
-            _ => part *= 0.5,
-        }
+impl<'a> Search<'a> {
+    /// `None` if nothing is drawn in one of the pictures.
+    fn new(surface: &'a Surface, theirs: &'a Outline, grid: Grid) -> Option<Self> {
+        let (their_middle, their_spread) = theirs.cells().middle_and_spread()?;
+        Some(Self {
+            surface,
+            theirs,
+            grid,
+            about: surface.middle()?,
+            their_middle,
+            their_spread,
+        })
     }
-    best
+
+    fn misfit(&self, camera: &Camera) -> f32 {
+        self.theirs.misfit(&self.surface.covered(camera))
+    }
+
+    fn rated(&self, camera: Camera) -> (f32, Camera) {
+        (self.misfit(&camera), camera)
+    }
+
+    /// The camera with the least misfit that is found from the one that is `here`, with that.
+    fn best(&self, here: Camera) -> Option<(f32, Camera)> {
+        let directions = AROUND
+            .into_iter()
+            .flat_map(|theta| ABOVE.map(|phi| [theta, phi]));
+        let starts = directions.flat_map(|[theta, phi]| {
+            let turned = moved(here, self.about, [theta, phi, 0.0, 0.0, 0.0]);
+            let covered = self.surface.covered(&turned);
+            let aligned = self.aligned(turned, &covered);
+            let aligned = aligned.map(|aligned| self.rated(aligned));
+            [Some((self.theirs.misfit(&covered), turned)), aligned]
+        });
+        let mut starts: Vec<(f32, Camera)> = starts.flatten().collect();
+        starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        starts.truncate(STARTS);
+        let found = starts.into_iter().map(|start| self.refined(start));
+        found.min_by(|(a, _), (b, _)| a.total_cmp(b))
+    }
+
+    /// The camera that is so much farther away, and looks so far beside, that what one covers is about as large as the other picture
+    /// has it, and where.
+    fn aligned(&self, camera: Camera, covered: &Cells) -> Option<Camera> {
+        let (middle, spread) = covered.middle_and_spread()?;
+        let farther = spread / self.their_spread;
+        let Grid { size, step, .. } = self.grid;
+        let center = 0.5 * size / step as f32;
+        let by = (self.their_middle - center) - (middle - center) / farther;
+        // Of the whole height, at the distance of the target.
+        let height = 2.0 * (0.5 * camera.fovy).tan() * farther;
+        let aside = by * (height * step as f32 / size.y);
+        let is_finite = farther.is_finite() && farther > 0.0 && aside.is_finite();
+        let by = [0.0, 0.0, farther.ln(), -aside.x, aside.y];
+        is_finite.then(|| moved(camera, self.about, by))
+    }
+
+    /// The best camera from which no step is better.
+    fn refined(&self, mut best: (f32, Camera)) -> (f32, Camera) {
+        let mut part = 1.0;
+        for _ in 0..MOST_STEPS {
+            if part <= LAST {
+                break;
+            }
+            let steps = [STEP, STEP, NEARER, ASIDE, ASIDE].map(|step| part * step);
+            let tried = (0..steps.len()).flat_map(|along| {
+                [-1.0, 1.0].map(|way| {
+                    let mut by = [0.0; 5];
+                    by[along] = way * steps[along];
+                    self.rated(moved(best.1, self.about, by))
+                })
+            });
+            match tried.min_by(|(a, _), (b, _)| a.total_cmp(b)) {
+                Some(better) if better.0 < best.0 => best = better,
+                _ => part *= 0.5,
+            }
+        }
+        best
+    }
+
+    /// The camera in the midst of those turned to either side, and then up and down, that are as good: from one degree to the next
+    /// outlines hardly differ by a cell.
+    fn amid_as_good(&self, from: Camera, is_as_good: impl Fn(&Camera) -> bool) -> Camera {
+        let along = [[1.0, 0.0], [0.0, 1.0]];
+        along.into_iter().fold(from, |camera, [theta, phi]| {
+            let turned = |by: f32| moved(camera, self.about, [by * theta, by * phi, 0.0, 0.0, 0.0]);
+            let reach = |way: i32| {
+                let is_reached =
+                    |steps: &i32| is_as_good(&turned(STEP_AMID * (way * steps) as f32));
+                let steps = (1..=MOST_AMID).take_while(is_reached);
+                way * steps.last().unwrap_or(0)
+            };
+            turned(0.5 * STEP_AMID * (reach(1) + reach(-1)) as f32)
+        })
+    }
 }
 
 /// The camera without turns from the one that is `here` which show nothing, as round a goblet.
@@ -221,24 +253,6 @@ fn unturned(there: Camera, here: Camera, is_as_good: impl Fn(&Camera) -> bool) -
         } else {
             camera
         }
-    })
-}
-
-/// The camera in the midst of those turned to either side, and then up and down, that are as good: from one degree to the next
-/// outlines hardly differ by a cell.
-fn amid_as_good(from: Camera, middle: Vec3, is_as_good: impl Fn(&Camera) -> bool) -> Camera {
-    let along = [[1.0, 0.0], [0.0, 1.0]];
-    along.into_iter().fold(from, |camera, [theta, phi]| {
-        let turned = |steps: i32| {
-            let by = STEP_AMID * steps as f32;
-            moved(camera, middle, [by * theta, by * phi, 0.0, 0.0, 0.0])
-        };
-        let reach = |way: i32| {
-            let steps = (1..=MOST_AMID).take_while(|steps| is_as_good(&turned(way * steps)));
-            way * steps.last().unwrap_or(0)
-        };
-        let amid = 0.5 * STEP_AMID * (reach(1) + reach(-1)) as f32;
-        moved(camera, middle, [amid * theta, amid * phi, 0.0, 0.0, 0.0])
     })
 }
 

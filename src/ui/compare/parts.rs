@@ -8,6 +8,7 @@ use super::how::{How, how_of_character};
 use super::limbs::{Body, limbs};
 use super::owned::{Owned, seen_at};
 use super::part::{Kind, Part, Pixels};
+use super::pixel_map::PixelMaps;
 use super::seen_in_cells::SeenInCells;
 use super::shapes_seen::shapes_seen;
 use super::turned::Certainty;
@@ -60,6 +61,7 @@ pub(super) fn parts(session: &Session, off: &FigureOff, size: (u32, u32)) -> Par
         off,
         size,
         owned: Owned::new(session, [&ours, &right], size),
+        maps: PixelMaps::new([&ours, &right], &theirs, size),
         seen: SeenInCells::new(session, size, off.apart),
         ours,
         theirs,
@@ -86,6 +88,8 @@ struct Differing<'a> {
     right: Vec<Vec2>,
     /// What is seen at `ours` and at what is `right`.
     owned: Owned<'a>,
+    /// Where all these are.
+    maps: PixelMaps,
     /// Which shape is seen where.
     seen: SeenInCells<'a>,
 }
@@ -93,13 +97,11 @@ struct Differing<'a> {
 impl Differing<'_> {
     /// The parts of which it has to be so certain that they differ.
     fn parts(&self, certainty: Certainty) -> Vec<Part> {
-        let pixels = [&*self.ours, &*self.right];
         let limbs = limbs(
             self.session,
             &self.owned,
             self.off,
-            pixels,
-            &self.theirs,
+            &self.maps,
             self.size,
             certainty,
         );

@@ -2,6 +2,7 @@
 
 use super::bones_seen::{BoneSeen, CharacterSeen, extent};
 use super::owned::{Owned, Ownership};
+use super::pixel_map::{PixelMap, PixelMaps};
 use glam::Vec2;
 use std::collections::HashSet;
 
@@ -30,7 +31,7 @@ const SMALL: f32 = 0.08;
 const HARDLY_OFF: f32 = 0.02;
 
 /// How far from all that the other picture shows what hangs on a joint is where that is turned much, by the figure's scale, and the share
-/// of its pixels that are so far at least. Where its beginning is right, the end of a limb above follows then, or is covered: of knees
+/// of its pixels above which so many are. Where its beginning is right, the end of a limb above follows then, or is covered: of knees
 /// that were turned by 100 degrees a fifth was that far and more, and of thighs with a beginning that looked right none.
 const FAR: f32 = 0.02;
 const ARE_FAR: f32 = 0.1;
@@ -143,43 +144,36 @@ impl Turned {
 /// Which joints of a character are turned, as far as the mesh and the bones tell.
 pub(super) fn turned(
     character: &CharacterSeen,
-    pixels: [&[Vec2]; 2],
-    theirs: &[Vec2],
+    maps: &PixelMaps,
     owned: &Owned,
-    (size, scale): (Vec2, f32),
+    scale: f32,
     certainty: Certainty,
 ) -> Turned {
     let most_covered = match certainty {
         Certainty::Sure => IS_OFF,
         Certainty::Likely => MESH_IS_OFF,
     };
-    let maps = pixels.map(|pixels| PixelMap::new(pixels, size));
     let reach = AT_BONE * scale;
     let parent = |joint: usize| character.joints[joint].parent;
-    // Without pixels that only the other picture shows, what it shows is hardly known.
-    let theirs = (!theirs.is_empty()).then(|| [theirs, pixels[1]].concat());
-    let shown = theirs.map(|shown| PixelMap::new(&shown, size));
-    let follows = |bone: &BoneSeen| {
-        let shown = shown.as_ref();
-        shown.is_some_and(|shown| follows_what_hangs_on_it(character, bone, owned, shown, scale))
-    };
+    let follows = |bone: &BoneSeen| follows_what_hangs_on_it(character, bone, owned, maps, scale);
     let told = character.bones.iter().map(|bone| {
         let (shape, joint) = (character.shape, bone.joint);
         match owned.of(shape, joint) {
+            // Its own movement is none.
             Ownership::Off(share) if share < IS_OFF && follows(bone) => {
                 Told::by_mesh(bone, 0.0, most_covered)
             }
             Ownership::Off(share) => Told::by_mesh(bone, share, most_covered),
             // Where it is seen, and not hidden, the one above may move more.
             Ownership::Little if is_last(character, joint) => {
-                Told::by_line(bone, &maps, reach, |at| {
+                Told::by_line(bone, &maps.ours, reach, |at| {
                     let seen = owned.joint_at(at, shape);
                     seen.is_some_and(|seen| seen == joint || parent(joint) == Some(seen))
                 })
             }
             // What hangs on it tells more.
             Ownership::Little => Told::nothing(bone),
-            Ownership::Unknown => Told::by_line(bone, &maps, reach, |_| true),
+            Ownership::Unknown => Told::by_line(bone, &maps.ours, reach, |_| true),
         }
     });
     let told: Vec<Told> = told.collect();
@@ -196,12 +190,12 @@ pub(super) fn turned(
     }
 }
 
-/// Whether only the end of a bone's mesh is off, at what hangs on it, which is far from all that is `shown` in the other picture.
+/// Whether only the end of a bone's mesh is off, at what hangs on it, which is far from all that the other picture shows.
 fn follows_what_hangs_on_it(
     character: &CharacterSeen,
     bone: &BoneSeen,
     owned: &Owned,
-    shown: &PixelMap,
+    maps: &PixelMaps,
     scale: f32,
 ) -> bool {
     let is_beginning_right = bone.line().is_some_and(|[start, end]| {
@@ -212,10 +206,9 @@ fn follows_what_hangs_on_it(
     let is_below = |it: &usize| hangs_on(character, *it, bone.joint);
     let below = (0..character.joints.len()).filter(is_below);
     let below = below.flat_map(|it| owned.off_pixels(character.shape, it));
-    let below: Vec<Vec2> = below.copied().collect();
-    let is_far = |at: &&Vec2| shown.nearest(**at, FAR * scale).is_none();
-    let far = || below.iter().filter(is_far).count();
-    is_beginning_right && far() as f32 > ARE_FAR * below.len() as f32
+    let far = below.clone();
+    let far = far.filter(|at| maps.is_far_from_theirs(**at, FAR * scale));
+    is_beginning_right && far.count() as f32 > ARE_FAR * below.count() as f32
 }
 
 /// What may be turned instead of joints that are.
@@ -356,53 +349,4 @@ fn hangs_on(character: &CharacterSeen, joint: usize, on: usize) -> bool {
 pub(super) fn above(character: &CharacterSeen, joint: usize) -> impl Iterator<Item = usize> {
     let joints = character.joints;
     std::iter::successors(Some(joint), |&joint| joints[joint].parent)
-}
-
-/// Pixels by where they are.
-struct PixelMap {
-    is_in: Vec<bool>,
-    size: [usize; 2],
-}
-
-impl PixelMap {
-    fn new(pixels: &[Vec2], size: Vec2) -> Self {
-        let size = [size.x as usize, size.y as usize];
-        let mut is_in = vec![false; size[0] * size[1]];
-        for pixel in pixels {
-            is_in[pixel.y as usize * size[0] + pixel.x as usize] = true;
-        }
-        Self { is_in, size }
-    }
-
-    /// Distance of the nearest pixel, if there is one within `most`.
-    fn nearest(&self, at: Vec2, most: f32) -> Option<f32> {
-        let along = |at: f32, size: usize| {
-            let end = (at + most).floor().max(-1.0) + 1.0;
-            (at - most).ceil().max(0.0) as usize..size.min(end as usize)
-        };
-        let rows = along(at.y, self.size[1]);
-        let pixels = rows.flat_map(|y| along(at.x, self.size[0]).map(move |x| (x, y)));
-        let known = pixels.filter(|(x, y)| self.is_in[y * self.size[0] + x]);
-        let distances = known.map(|(x, y)| Vec2::new(x as f32, y as f32).distance(at));
-        distances
-            .filter(|distance| *distance <= most)
-            .reduce(f32::min)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_nearest_pixel_is_found_at_the_edges_of_a_picture_and_none_outside() {
-        let map = PixelMap::new(&[Vec2::ZERO, Vec2::new(9.0, 4.0)], Vec2::new(10.0, 5.0));
-        let nearest = |x: f32, y: f32| map.nearest(Vec2::new(x, y), 3.0);
-        assert_eq!(nearest(0.0, 2.0), Some(2.0));
-        assert_eq!(nearest(-3.0, 0.0), Some(3.0));
-        assert_eq!(nearest(9.0, 6.5), Some(2.5));
-        for (x, y) in [(-9.0, -9.0), (-3.0, -3.0), (50.0, 2.0), (5.0, 2.0)] {
-            assert_eq!(nearest(x, y), None, "{x}, {y}");
-        }
-    }
 }
