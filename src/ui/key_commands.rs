@@ -166,6 +166,12 @@ pub(super) fn ignores_typed(ctx: &egui::Context, state: &mut UiState, now: f64) 
     is_ignored
 }
 
+/// Whether Enter or Esc is pressed, which end what is typed for a G, R or S that was refused, as they end a drag.
+pub(super) fn ends_typed(ctx: &egui::Context) -> bool {
+    let ends = [egui::Key::Enter, egui::Key::Escape];
+    ctx.input(|input| ends.into_iter().any(|key| input.key_pressed(key)))
+}
+
 fn is_ignored(refused_at: Option<f64>, now: f64) -> bool {
     refused_at.is_some_and(|at| now - at < TYPED_AFTER)
 }

@@ -306,6 +306,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if !keys_taken && !input.is_viewer && !takes_keys(&ctx) {
         // What is typed for a drag that was refused turns no camera.
         let is_ignored = key_commands::ignores_typed(&ctx, state, now);
+        let ends_typed = key_commands::ends_typed(&ctx);
         if !is_ignored {
             let camera = state.navigation.walked(session.view().camera, &ctx);
             if camera != session.view().camera {
@@ -328,6 +329,9 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
                 &mut actions,
             );
             ctx.request_repaint();
+        }
+        if ends_typed {
+            state.refused_at = None;
         }
         // Once is enough while it can be read.
         let is_told = |why: &str| session.messages.fresh().iter().any(|told| told.text == why);

@@ -335,7 +335,16 @@ fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
     assert_eq!(editor.session().view().camera, camera);
     let told = editor.last_told().unwrap_or_default();
     assert!(!told.contains("orthographic"), "{told}");
-    // Any other key ends that.
+    // Enter and Esc end that, and so does any other key.
+    for end in [Key::Enter, Key::Escape] {
+        editor.key(Key::G);
+        editor.key(end);
+        editor.key(Key::Num3);
+        assert_ne!(editor.session().view().camera, camera, "{end:?}");
+        editor.view(View::SetCamera(camera));
+        editor.view(View::Select(Some(id)));
+        editor.settle();
+    }
     editor.key(Key::G);
     editor.key(Key::F);
     editor.key(Key::X);
