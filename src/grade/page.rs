@@ -25,7 +25,7 @@ impl Report {
         page.ended()
     }
 
-    /// A page about each submission alone, with its name, in their order: for who made it.
+    /// A page about each submission alone, with its path, in their order: for who made it.
     pub fn to_pages(&self) -> impl Iterator<Item = (&str, String)> {
         self.submissions
             .iter()
@@ -35,7 +35,7 @@ impl Report {
                 page.add(format_args!("<h1>{}</h1>\n", Escaped(&self.title)));
                 page.submission(self, number, submission, true);
                 page.tests(self);
-                (&*submission.name, page.ended())
+                (&*submission.page, page.ended())
             })
     }
 

@@ -44,6 +44,8 @@ pub struct Row {
 pub struct Submission {
     /// Name of its folder.
     pub name: String,
+    /// Path of the page about it alone from the folder of the report, once [`Report::name_pages`] has named it.
+    pub page: String,
     /// Points in all, without those that a person has not given yet.
     pub points: f64,
     /// Points that are possible in all, without extra ones.
@@ -148,6 +150,7 @@ impl Report {
                 sections: by_section,
                 tests,
                 name,
+                page: String::new(),
             }
         });
         let submissions: Vec<Submission> = submissions.collect();
@@ -173,6 +176,15 @@ impl Report {
             mistakes: mistakes(&submissions),
             submissions,
             sections,
+        }
+    }
+
+    /// Gives the page about each submission alone its path, of those that `paths` has for their names in their order.
+    pub fn name_pages(&mut self, paths: impl FnOnce(&[&str]) -> Vec<String>) {
+        let names = self.submissions.iter().map(|submission| &*submission.name);
+        let paths = paths(&names.collect::<Vec<_>>());
+        for (submission, path) in self.submissions.iter_mut().zip(paths) {
+            submission.page = path;
         }
     }
 }

@@ -240,3 +240,14 @@ fn a_program_is_run_again_if_a_huge_file_or_a_link_in_its_folder_has_changed() {
     class.graded();
     assert_eq!(runs(), 4);
 }
+
+#[test]
+fn a_program_that_knows_the_character_itself_is_run_for_one_that_is_built_in() {
+    let class = class(&[("ada", "cp ../../right.obj \"$1\"")]);
+    let mut tests = class.tests_file();
+    tests["tests"][0]["character"] = "builtin:robot".into();
+    tests["command"]["run"] = json!(["./pose", "{output}"]);
+    class.set_tests(&tests);
+    let report = class.graded();
+    assert_eq!(result(&report, "ada", "robot-1")["outcome"], "right");
+}

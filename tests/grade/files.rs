@@ -460,7 +460,7 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
     class.write("none.json", "{\"tests\": []}");
     class.write(
         "command.json",
-        with(|tests| tests["command"] = json!({"run": ["./a", "{output}"]})),
+        with(|tests| tests["command"] = json!({"run": ["./a", "{character}", "{output}"]})),
     );
     class.write("cut.json", "{\"tests\": [");
     for (line, told) in [
@@ -509,7 +509,7 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
         ),
         (
             "class --tests command.json",
-            "expected files for a command, found builtin:adult",
+            "expected a file for {character} of the command, found builtin:adult",
         ),
         (
             "--merge nowhere",

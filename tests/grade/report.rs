@@ -982,6 +982,20 @@ fn each_submission_has_a_page_of_its_own_that_names_no_other() {
             "{name}"
         );
     }
+    // The report says which is whose.
+    let report: serde_json::Value =
+        serde_json::from_slice(&class.read("report/grade.json")).unwrap();
+    for submission in report["submissions"].as_array().unwrap() {
+        let (name, path) = (&submission["name"], submission["page"].as_str().unwrap());
+        let page = String::from_utf8(class.read(&format!("report/{path}"))).unwrap();
+        let name = name.as_str().unwrap();
+        let shown = name.replace('&', "&amp;");
+        let shown = shown.replace('<', "&lt;").replace('>', "&gt;");
+        assert!(
+            page.contains(&format!("<h3>{shown}</h3>")),
+            "{path}: {name}"
+        );
+    }
 }
 
 #[test]

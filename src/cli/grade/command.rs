@@ -63,8 +63,8 @@ impl TestCommand {
     /// The command `data` for tests of the file at `path`.
     ///
     /// # Errors
-    /// If a character or a pose is built in, which other programs cannot read, or this system knows no
-    /// groups of processes.
+    /// If a character or a pose that the command is given is built in, which other programs cannot read, or this system
+    /// knows no groups of processes.
     pub fn new(data: &CommandData, tests: &[TestData], path: &Path) -> Result<Self, CliError> {
         if cfg!(not(unix)) {
             let message = "expected a system on which commands can be limited: Linux or macOS";
@@ -73,9 +73,16 @@ impl TestCommand {
         let mut given = BTreeMap::new();
         let mut poses = SinglePoses::default();
         for (number, test) in tests.iter().enumerate() {
-            for file in [&test.character.path, &test.pose.path] {
-                if file.to_string_lossy().starts_with(builtin::PREFIX) {
-                    let message = format!("expected files for a command, found {}", file.display());
+            let places = [
+                ("{character}", &test.character.path),
+                ("{pose}", &test.pose.path),
+            ];
+            for (place, file) in places {
+                let is_given = data.run.iter().any(|word| word.contains(place));
+                if is_given && file.to_string_lossy().starts_with(builtin::PREFIX) {
+                    let found = file.display();
+                    let message =
+                        format!("expected a file for {place} of the command, found {found}");
                     return Err(Diagnostic::new(path, message).into());
                 }
             }

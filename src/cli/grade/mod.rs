@@ -5,19 +5,21 @@ mod interruption;
 mod kept;
 mod merge;
 mod missing;
+mod pages;
 mod submissions;
 mod warnings;
 mod work;
 
 use super::output::{eprint_line, json_text, visible};
 use super::{CliError, diagnose, print};
-use crate::disk::{self, files, plain_name};
+use crate::disk::{self, files};
 use crate::grade::{Graded, Report, Test};
 use crate::io::{
     Diagnostic, Files, NamedFile, PoseFile, Position, TestData, TestsFile, builtin, pose_of_several,
 };
 use command::TestCommand;
 use kept::{KeptRun, Store};
+use pages::page_paths;
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -91,8 +93,6 @@ const EXAMPLE: &str = include_str!("../../../docs/tests.json");
 const JSON: &str = "grade.json";
 const CSV: &str = "grade.csv";
 const PAGE: &str = "grade.html";
-/// Folder of the pages of single submissions.
-const PAGES: &str = "pages";
 
 /// Carries the command out. That solutions are wrong is no error.
 ///
@@ -197,11 +197,11 @@ fn check_part(args: &Args, before: Option<&KeptRun>) -> Result<(), Diagnostic> {
 /// Removes the pages of submissions that were there `before`, so that they are not handed out with those that were
 /// `written`.
 fn remove_old_pages(folder: &Path, before: &[String], written: &BTreeSet<String>) {
-    let mut names = BTreeSet::new();
-    let old = before.iter().map(|name| page_name(name, &mut names));
+    let before: Vec<&str> = before.iter().map(|name| &**name).collect();
+    let old = page_paths(&before).into_iter();
     for page in old.filter(|page| !written.contains(page)) {
         // One that is gone already, or cannot be removed, does no harm.
-        let _ = std::fs::remove_file(folder.join(PAGES).join(page));
+        let _ = std::fs::remove_file(folder.join(page));
     }
 }
 
@@ -283,34 +283,24 @@ fn beside(file: &Path, path: &Path) -> PathBuf {
     }
 }
 
-/// Name of the page of the submission `name`, unlike all `others`.
-fn page_name(name: &str, others: &mut BTreeSet<String>) -> String {
-    let plain = plain_name(name);
-    let numbered = (2..).map(|number| format!("{plain}-{number}"));
-    let mut free = std::iter::once(plain.clone()).chain(numbered);
-    // File systems may not tell capitals from small letters.
-    let free = free.find(|stem| !stem.is_empty() && others.insert(stem.to_lowercase()));
-    format!("{}.html", free.unwrap_or(plain))
-}
-
-/// Writes the report and prints its rows; the names of the pages of single submissions.
+/// Writes the report and prints its rows; the paths of the pages of single submissions.
 fn report(
     folder: &Path,
     run: &KeptRun,
     graded: BTreeMap<String, Vec<Graded>>,
 ) -> Result<BTreeSet<String>, CliError> {
     let file = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
-    let report = Report::new(&file, &run.pictures, graded.into_iter().collect());
+    let mut report = Report::new(&file, &run.pictures, graded.into_iter().collect());
+    report.name_pages(page_paths);
     let mut written = vec![
         (folder.join(JSON), json_text(&report)?.into_bytes()),
         (folder.join(CSV), report.to_csv().into_bytes()),
         (folder.join(PAGE), report.to_html().into_bytes()),
     ];
-    let (mut names, mut pages) = (BTreeSet::new(), BTreeSet::new());
-    for (name, page) in report.to_pages() {
-        let file = page_name(name, &mut names);
-        written.push((folder.join(PAGES).join(&file), page.into_bytes()));
-        pages.insert(file);
+    let mut pages = BTreeSet::new();
+    for (path, page) in report.to_pages() {
+        written.push((folder.join(path), page.into_bytes()));
+        pages.insert(path.to_owned());
     }
     let paths = written.iter().map(|(path, _)| path.as_path());
     disk::in_new_folders(paths, || disk::write_all_whole(&written))?;
