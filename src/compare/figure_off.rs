@@ -31,6 +31,8 @@ pub struct FigureOff {
     pub thin: Option<Vec<[u32; 2]>>,
     /// Some of the pixels that are right in B, as of those that are off.
     pub right: Vec<[u32; 2]>,
+    /// Some of the pixels that show the figure in A and in B, right or off, but for edges, lines and the smallest places.
+    pub outlines: [Vec<[u32; 2]>; 2],
     /// How many pixels they are apart, along rows and columns, from the top left pixel on.
     pub apart: u32,
     /// Whether the figure is told from what is behind it. Otherwise all of the picture counts as the figure.
@@ -40,13 +42,14 @@ pub struct FigureOff {
 }
 
 impl FigureOff {
-    /// What is off, from the islands of A and of B that are, of figures that are so many pixels in both pictures together, and
-    /// from the pixels that are `right`; `None` if nothing worth the name is off.
+    /// What is off, from the islands of A and of B that are, of figures that are so many pixels in both pictures together, from
+    /// the pixels that are `right`, and from the islands that show figures; `None` if nothing worth the name is off.
     pub fn new(
         grid: PixelGrid,
         [theirs, ours]: [&[Vec<usize>]; 2],
         of_figures: usize,
         right: Vec<usize>,
+        outlines: [&[Vec<usize>]; 2],
         has_outline: bool,
         is_camera_right: bool,
     ) -> Option<Self> {
@@ -61,6 +64,11 @@ impl FigureOff {
             let told = islands.iter().filter(|island| island.len() >= least);
             told.flatten().copied().collect()
         };
+        let without_specks = |islands: &[Vec<usize>]| -> Vec<usize> {
+            let count: usize = islands.iter().map(Vec::len).sum();
+            let is_told = |island: &&Vec<usize>| island.len() as f64 > LITTLE * count as f64;
+            islands.iter().filter(is_told).flatten().copied().collect()
+        };
         let [ours, theirs] = [told(ours), told(theirs)];
         let count = ours.len() + theirs.len() + right.len();
         let apart = match count {
@@ -74,6 +82,7 @@ impl FigureOff {
             theirs: spread(theirs),
             thin: None,
             right: spread(right),
+            outlines: outlines.map(|outline| spread(without_specks(outline))),
             apart,
             has_outline,
             is_camera_right,
@@ -127,11 +136,18 @@ impl Pair<'_> {
             }
         })
         .await;
+        let mut outlines = Vec::new();
+        for which in [0, 1] {
+            let is_drawn = |at: usize| self.kept()[at] && self.figures_at(at)[which];
+            let drawn: Vec<bool> = (0..count).map(is_drawn).collect();
+            outlines.push(grid.paced_islands(&drawn, pace).await);
+        }
         let found = FigureOff::new(
             grid,
             [&islands[0], &islands[1]],
             of_figures,
             solid,
+            [&outlines[0], &outlines[1]],
             has_outline,
             same.tells_of_camera(),
         )?;

@@ -299,6 +299,9 @@ impl Comparison {
             of: wanted,
             half,
             is_page: self.is_page,
+            are_edges_alike: self
+                .is_reference_smooth
+                .is_none_or(|is_smooth| is_smooth == self.settings.smooth_edges),
             pictures: PictureJob {
                 a: Arc::clone(&self.reference.picture),
                 b: live,
@@ -324,6 +327,8 @@ impl Comparison {
 
     /// Chooses the edges of the live view, of whose pixels so many differ as it is drawn now.
     fn choose_edges(&mut self, differing: u64) {
+        let told = self.edges.tell(differing);
+        self.is_reference_smooth = self.is_reference_smooth.or(told);
         if let Some(found) = self.edges.after(
             differing,
             self.settings.smooth_edges,

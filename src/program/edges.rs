@@ -22,6 +22,18 @@ const ALIKE: f64 = 0.1;
 const LEFT_ONE_IN: u64 = 2;
 
 impl Edges {
+    /// Whether the reference has smooth edges, as so many pixels that differ tell clearly; `None` where they do not.
+    pub fn tell(self, differing: u64) -> Option<bool> {
+        match self {
+            Self::Unknown if differing == 0 => Some(false),
+            Self::Hard(hard) => {
+                let are_alike = differing.abs_diff(hard) as f64 <= ALIKE * hard as f64;
+                (!are_alike).then_some(differing < hard)
+            }
+            _ => None,
+        }
+    }
+
     /// What is known, and whether the live view has smooth edges then, after so many pixels of it differ from the reference as
     /// it is drawn now, which is smooth or not, and of which reference it may be clear whether its own edges are; `None` if nothing
     /// is to be found any more.
@@ -36,8 +48,7 @@ impl Edges {
             Self::Unknown => Some((Self::Found(0), false)),
             // Where the figure is elsewhere, its edges leave as much to differ either way, and the reference's own ones tell.
             Self::Hard(hard) => {
-                let are_alike = differing.abs_diff(hard) as f64 <= ALIKE * hard as f64;
-                let own = is_reference_smooth.filter(|_| are_alike);
+                let own = is_reference_smooth.filter(|_| self.tell(differing).is_none());
                 let is_smooth = own.unwrap_or(differing < hard);
                 Some((Self::Found(differing.min(hard)), is_smooth))
             }

@@ -72,6 +72,8 @@ pub(super) struct CompareWork {
     pub half: Half,
     /// Whether A is a screenshot of the Virtual Mannequin's page.
     pub is_page: bool,
+    /// Whether B has smooth edges if A has, as far as that is known.
+    pub are_edges_alike: bool,
     /// A is the reference, B the live view.
     pub pictures: PictureJob,
 }
@@ -234,14 +236,14 @@ impl CompareWork {
             }
             Half::Judge => {
                 let [a, b] = [&self.pictures.a, &self.pictures.b].map(Arc::clone);
-                let is_page = self.is_page;
+                let (is_page, are_edges_alike) = (self.is_page, self.are_edges_alike);
                 let judged = self.pictures.judge();
                 judged.map(move |judgment| {
                     compared(judgment.map(|judgment| {
                         Outcome::Judged {
                             judgment,
                             page_figure: is_page
-                                .then(|| compare_figures(&a, &b))
+                                .then(|| compare_figures(&a, &b, are_edges_alike))
                                 .flatten()
                                 .map(Box::new),
                         }

@@ -15,24 +15,32 @@ const OWN_SHADES: u8 = 24;
 const HALF_A_LINE: usize = 3;
 
 /// Where the figure in `ours` is not the one in `page`, of the same size, but for its edges and what lines of bones cover;
-/// `None` without a figure. Where what is behind is the same, so are lines where the figure is right.
-pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigure> {
+/// `None` without a figure. Where what is behind is the same, so are lines where the figure is right, if their edges are alike.
+pub(super) fn compare_figures(
+    page: &Picture,
+    ours: &Picture,
+    are_edges_alike: bool,
+) -> Option<PageFigure> {
     if (page.width, page.height) != (ours.width, ours.height) {
         return None;
     }
     let [page, ours] = [page, ours].map(PageView::new);
     let floor = page.floor_seen(&ours);
-    let (is_slanted, has_lines) = (page.is_slanted(), floor == FloorSeen::Same);
+    let is_slanted = page.is_slanted();
+    let is_floor_same = floor == FloorSeen::Same;
+    let has_lines = is_floor_same && are_edges_alike;
     let [page, ours] = [page, ours].map(|view| FigureIn { view, has_lines });
     let is_figure = |at: &usize| page.is_figure(*at) || ours.is_figure(*at);
     let figure = (0..page.view.pixels.len()).filter(is_figure);
     let of_figures = page.pixels_of_figure() + ours.pixels_of_figure();
     let islands = [page.islands_off(&ours), ours.islands_off(&page)];
+    let outlines = [&page, &ours].map(|of| of.view.grid.apart(of.outline()));
     let off = FigureOff::new(
         page.view.grid,
         islands.each_ref().map(Vec::as_slice),
         of_figures,
         ours.right(&page),
+        outlines.each_ref().map(Vec::as_slice),
         true,
         floor.is_in_place(),
     );
@@ -40,18 +48,24 @@ pub(super) fn compare_figures(page: &Picture, ours: &Picture) -> Option<PageFigu
         area: page.view.grid.area_around(figure)?,
         is_slanted,
         floor,
-        elsewhere: off.as_ref().and_then(|_| elsewhere(&page, &ours)),
+        elsewhere: off
+            .as_ref()
+            .and_then(|_| elsewhere(&page, &ours, is_floor_same)),
         off,
     })
 }
 
 /// How the outline of the figure in `page` is placed in `ours`, if it is there and elsewhere.
-fn elsewhere(page: &FigureIn<'_>, ours: &FigureIn<'_>) -> Option<FigureElsewhere> {
+fn elsewhere(
+    page: &FigureIn<'_>,
+    ours: &FigureIn<'_>,
+    is_floor_same: bool,
+) -> Option<FigureElsewhere> {
     let outlines = [page.outline(), ours.outline()];
     let placed =
         whole_outline_placed(page.view.grid.width, outlines.each_ref().map(Vec::as_slice))?;
     Some(FigureElsewhere {
-        is_floor_right: page.has_lines || page.view.has_floor_of(&ours.view, &placed),
+        is_floor_right: is_floor_same || page.view.has_floor_of(&ours.view, &placed),
         is_only_moved: placed.factor == 1.0 && placed.degrees == 0.0,
         placement: placed.words,
     })
@@ -182,7 +196,10 @@ mod tests {
         };
         let page = picture(5..10, TEAL);
         let off = |page: &Picture, ours: &Picture| {
-            compare_figures(page, ours).unwrap().off.map(|off| off.area)
+            compare_figures(page, ours, true)
+                .unwrap()
+                .off
+                .map(|off| off.area)
         };
         assert_eq!(off(&page, &picture(5..10, [170; 3])), None);
         // An edge says nothing.

@@ -1105,8 +1105,12 @@ fn a_camera_that_is_not_found_may_be_another_one() {
     for (look, by, told_so) in [
         (Look::Studio, [40.0, 10.0], in_studio),
         (Look::Studio, [90.0, 0.0], in_studio),
-        (Look::Course, [40.0, 10.0], in_course),
         (Look::Course, [90.0, 0.0], in_course),
+        (
+            Look::Course,
+            [40.0, 10.0],
+            "A is seen by another camera than B: about 40° farther to the right, 10° farther down.",
+        ),
         // In the shade all sides have one color, which tells nothing of the camera.
         (
             Look::Course,
@@ -1910,6 +1914,35 @@ fn limbs_as_thin_as_lines_of_bones_are_named_where_the_floor_is_the_same() {
 }
 
 #[test]
+fn other_edges_alone_neither_move_nor_turn_a_figure_with_thin_lines() {
+    for turned in [None, Some(("upper_arm.L", Vec3::Z * 40.0))] {
+        let story = robot_changed_beside_its_picture(|story| {
+            turned
+                .iter()
+                .for_each(|joint| turn_joints(story, &[*joint]));
+        });
+        let Some(mut story) = story else { return };
+        choose_edges(&mut story, false);
+        judge(&mut story);
+        let told = texts(&story);
+        assert!(
+            has_text(&story, "A has smooth edges, and B hard ones"),
+            "{told:?}"
+        );
+        let agrees = has_text(&story, "The figure agrees but for its edges");
+        assert_eq!(agrees, turned.is_none(), "{told:?}");
+        let places = told.iter().filter(|text| text.contains("of the figure"));
+        let places: Vec<_> = places.collect();
+        let is_right = match (turned, &places[..]) {
+            (None, []) => true,
+            (Some((joint, _)), [place]) => place.starts_with(&format!("Near {joint},")),
+            _ => false,
+        };
+        assert!(is_right, "{told:?}");
+    }
+}
+
+#[test]
 fn a_limb_that_lies_beside_its_bone_is_named_where_the_floor_is_the_same() {
     for bone in ["Bone.001", "Bone.002"] {
         let turned = [(bone, Vec3::X * 30.0)];
@@ -2147,8 +2180,12 @@ const ALL_AGREES: &str = ". From there all of the outline is where A has it.";
 
 #[test]
 fn beside_another_camera_limbs_that_are_turned_are_not_said_to_agree() {
-    // From elsewhere, and from where Home leads to, which may be told as what shows them.
-    for (from, besides) in [([8.0, 4.0], ", but not all: "), ([0.0, 0.0], "")] {
+    // From elsewhere, and from where Home leads to, which shows them.
+    let homes = [
+        ([8.0, 4.0], ", but not all: "),
+        ([0.0, 0.0], ". Home leads there, "),
+    ];
+    for (from, besides) in homes {
         let agrees = format!(". From there most of the outline is where A has it{besides}");
         for (limb, degrees, by, away) in [
             ("Left elbow", -40.0, [25.0, 0.0], 1.25),

@@ -105,6 +105,7 @@ mod tests {
             theirs: theirs.iter().map(|it| it.pixel.into()).collect(),
             thin: None,
             right: Vec::new(),
+            outlines: [const { Vec::new() }; 2],
             apart: 3,
             has_outline: true,
             is_camera_right: false,

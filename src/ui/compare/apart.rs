@@ -239,17 +239,22 @@ fn apart(session: &Session, off: &FigureOff, figure: Area, size: (u32, u32)) -> 
         } else {
             sentence(&area.place_in(figure))
         };
-        Place::new(told, area, CameraTold::Unknown)
+        Place::new(told, area, camera_beside(&off))
     });
     places.collect()
 }
 
-/// Much of the figure, where no limbs explain what is off: no joint is to blame for that.
-fn much(off: &FigureOff, figure: Area) -> Place {
-    let camera = match off.is_camera_right {
+/// What is told of the camera where no parts of the scene explain what is off.
+fn camera_beside(off: &FigureOff) -> CameraTold {
+    match off.is_camera_right {
         true => CameraTold::Right,
         false => CameraTold::Unknown,
-    };
+    }
+}
+
+/// Much of the figure, where no limbs explain what is off: no joint is to blame for that.
+fn much(off: &FigureOff, figure: Area) -> Place {
+    let camera = camera_beside(off);
     let told = much_is_off(&off.area.place_in(figure), camera);
     Place::new(told, off.area, camera)
 }
@@ -303,6 +308,7 @@ mod tests {
             ours: Vec::new(),
             theirs: theirs.filter(|pixel| !right.contains(pixel)).collect(),
             thin: None,
+            outlines: [square(60), right.clone()],
             right,
             apart: 3,
             has_outline: true,

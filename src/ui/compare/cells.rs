@@ -153,7 +153,17 @@ impl Outline {
             grown_other = grown_other.grown();
             off += other.count_outside(grown) + self.cells.count_outside(&grown_other);
         }
-        off as f32 / (self.cells.count() + other.count()).max(1) as f32
+        off as f32 / self.count_with(other)
+    }
+
+    /// The part of the cells of this outline and of the other one that one of them alone has.
+    pub fn difference(&self, other: &Cells) -> f32 {
+        let differ = other.count_outside(&self.cells) + self.cells.count_outside(other);
+        differ as f32 / self.count_with(other)
+    }
+
+    fn count_with(&self, other: &Cells) -> f32 {
+        (self.cells.count() + other.count()).max(1) as f32
     }
 
     /// How many cells of this outline and of the other one are more than so many away from the other, [`FARTHEST`] at most.

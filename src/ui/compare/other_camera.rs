@@ -8,12 +8,13 @@ use crate::editor::Session;
 use crate::scene::Camera;
 use crate::ui::commands::homes;
 use glam::{Mat3, Vec2, Vec3};
+use std::collections::HashSet;
 
 /// Mean distance in cells of the live view's own outline from where its surfaces are up to which these are what is drawn: it was
-/// 0.03 at most, and more than 0.2 of a robot whose limbs are as thin as lines.
-const KNOWN: f32 = 0.05;
-/// Mean distance that is told, in cells: of a small figure that was turned by 8 degrees it was 0.013.
-const LEAST: f32 = 0.01;
+/// 0.016 at most, and 0.047 and more of a robot whose limbs are as thin as lines.
+const KNOWN: f32 = 0.03;
+/// Mean distance that is told, in cells: of a figure that was turned by 8 and 6 degrees it was 0.008.
+const LEAST: f32 = 0.004;
 /// Another camera leaves at most one in so many of what differs without it. What limbs leave that are turned, no camera does: of
 /// one with a shape that was moved and one of another color a camera left one in 5.5; the right one of two figures one in 7.8.
 const LEFT_ONE_IN: f32 = 7.0;
@@ -33,14 +34,14 @@ const STEP: f32 = 4.0;
 const NEARER: f32 = 0.06;
 const ASIDE: f32 = 0.03;
 const LAST: f32 = 1.0 / 16.0;
-/// How much more other cameras may leave that are as good, in cells.
+/// How much more one may leave without a turn that shows nothing, in cells.
 const AS_GOOD: f32 = 0.004;
-/// How many times as much one may leave, besides, to which Home leads: where limbs are turned as well, some other one leaves less. It was
-/// 1.19 times there, and 1.5 where the camera was turned by 8 degrees from Home.
-const HOME_AS_GOOD: f32 = 1.25;
-/// Steps, in degrees, by which such are looked for, and most of them.
-const STEP_AMID: f32 = 0.5;
-const MOST_AMID: i32 = 12;
+/// How much more one may leave to which Home leads: where nothing else differs, it was 0.0007 at most.
+const HOME_LEAVES: f32 = 0.0015;
+/// How many times as many cells may differ from there as from the best one that was found, whatever they leave:
+/// limbs that are turned as well take the best one along. It was 1.02 at most there, and 1.17 and more where the camera was turned by
+/// 8 and 4 degrees from Home.
+const HOME_AS_GOOD: f32 = 1.08;
 /// Most steps from one start.
 const MOST_STEPS: usize = 60;
 /// Turns, and changes of the distance in percent, that are told.
@@ -48,14 +49,11 @@ const TOLD_DEGREES: f32 = 2.5;
 const TOLD_DISTANCE: f32 = 2.5;
 /// How far beside, by its distance, another camera looks where that is told.
 const TOLD_ASIDE: f32 = 0.03;
-/// What outlines may leave where the camera is exact enough to be told with numbers: where they left 0.005, it was exact to two
-/// degrees, and where a figure is small or slender and they left 0.014, 14 degrees were found as 18.
-const EXACT: f32 = 0.012;
-/// How much more is told where it is not.
+/// How much more is told where it is not exact.
 const ROUGHLY: f32 = 2.0;
-/// What outlines may leave where all that is drawn is explained: it was 0.013 at most, and more than that where limbs were
-/// turned as well, 0.017 where a leg was by 8 degrees.
-const ALL: f32 = 0.015;
+/// What outlines may leave where all that is drawn is explained, and the camera is exact enough to be told with numbers: it was 0.002
+/// at most, and more where limbs were turned as well, 0.008 where a forearm was by 40 degrees and 0.014 where a leg was by 8.
+const ALL: f32 = 0.005;
 /// Distance in cells, farther away than which so many times as many cells are at most, and a few, as of the live view itself: of a
 /// forearm that was raised by 30 degrees as well there were 7 where none of that were, and of cameras alone 28 beside 14.
 const AWAY: usize = 2;
@@ -86,15 +84,21 @@ pub(super) fn other_camera(
     let surface = Surface::new(session, grid)?;
     let here = session.view().camera;
     let still = surface.covered(&here);
-    // Of what agrees, lines of the ground are none of the shapes.
+    // What both show elsewhere is ground, and none of the shapes.
     let near = still.grown();
-    let right = off.right.iter().copied();
-    let right = right.filter(|pixel| near.has(grid.cell(*pixel)));
-    let outline = |off_there: &[[u32; 2]]| {
-        let pixels = off_there.iter().copied().chain(right.clone());
-        Outline::new(grid.covered(in_areas(pixels, off.apart).into_iter()))
+    let [theirs, ours] = &off.outlines;
+    let both = pixels_of_both(theirs, ours);
+    let outline = |pixels: &[[u32; 2]]| {
+        let is_of_shapes = |pixel: &[u32; 2]| !both.contains(pixel) || near.has(grid.cell(*pixel));
+        let pixels = pixels.iter().copied().filter(is_of_shapes);
+        // Where a ground is behind shapes, its lines are none of them.
+        let pixels = match off.thin.is_some() {
+            true => pixels.collect(),
+            false => in_areas(pixels, off.apart),
+        };
+        Outline::new(grid.covered(pixels.into_iter()))
     };
-    let [theirs, ours] = [&off.theirs, &off.ours].map(|off| outline(off));
+    let [theirs, ours] = [theirs, ours].map(|pixels| outline(pixels));
     // What is left of the ground and of shadows is in both pictures, and no camera explains it.
     let of_itself = ours.misfit(&still);
     if of_itself > KNOWN {
@@ -103,15 +107,18 @@ pub(super) fn other_camera(
     let search = Search::new(&surface, &theirs, grid)?;
     let before = theirs.misfit(&still);
     let (after, there) = search.best(here)?;
-    let is_as_good = |camera: &Camera| search.misfit(camera) <= after + AS_GOOD;
-    let is_good_home = |home: &Camera| search.misfit(home) <= HOME_AS_GOOD * after + AS_GOOD;
+    let (fewest, there) = search.finely(there);
+    let is_as_good = |camera: &Camera, more: f32| search.misfit(camera) <= after + more;
+    let is_good_home = |home: &Camera| {
+        is_as_good(home, HOME_LEAVES) || search.difference(home) <= HOME_AS_GOOD * fewest
+    };
     let mut homes = (1..).zip(homes(session));
     let home = homes.find(|(_, home)| *home != here && is_good_home(home));
     let there = match home {
         Some((_, home)) => home,
-        None => search.amid_as_good(unturned(there, here, is_as_good), is_as_good),
+        None => unturned(there, here, |camera| is_as_good(camera, AS_GOOD)),
     };
-    let is_exact = after <= EXACT || home.is_some();
+    let is_exact = after <= ALL || home.is_some();
     let is_same = after <= LIKE_ITSELF * of_itself + ROUNDING;
     let [before, after] = [before, after].map(|all| (all - of_itself).max(0.0));
     let left_one_in = if is_same {
@@ -128,6 +135,12 @@ pub(super) fn other_camera(
         homes: home.map(|(presses, _)| presses),
         explains_all: (is_same || after <= ALL) && is_nothing_away,
     })
+}
+
+fn pixels_of_both(some: &[[u32; 2]], others: &[[u32; 2]]) -> HashSet<[u32; 2]> {
+    let others: HashSet<&[u32; 2]> = others.iter().collect();
+    let both = some.iter().filter(|pixel| others.contains(pixel));
+    both.copied().collect()
 }
 
 /// The search for a camera that shows surfaces where the other picture has what is drawn.
@@ -160,6 +173,10 @@ impl<'a> Search<'a> {
         self.theirs.misfit(&self.surface.covered(camera))
     }
 
+    fn difference(&self, camera: &Camera) -> f32 {
+        self.theirs.difference(&self.surface.covered(camera))
+    }
+
     fn rated(&self, camera: Camera) -> (f32, Camera) {
         (self.misfit(&camera), camera)
     }
@@ -179,7 +196,8 @@ impl<'a> Search<'a> {
         let mut starts: Vec<(f32, Camera)> = starts.flatten().collect();
         starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         starts.truncate(STARTS);
-        let found = starts.into_iter().map(|start| self.refined(start));
+        let misfit = |camera: &Camera| self.misfit(camera);
+        let found = starts.into_iter().map(|start| self.refined(start, misfit));
         found.min_by(|(a, _), (b, _)| a.total_cmp(b))
     }
 
@@ -199,8 +217,8 @@ impl<'a> Search<'a> {
         is_finite.then(|| moved(camera, self.about, by))
     }
 
-    /// The best camera from which no step is better.
-    fn refined(&self, mut best: (f32, Camera)) -> (f32, Camera) {
+    /// The best camera from which no step has a better rating, that is a lower one.
+    fn refined(&self, mut best: (f32, Camera), rating: impl Fn(&Camera) -> f32) -> (f32, Camera) {
         let mut part = 1.0;
         for _ in 0..MOST_STEPS {
             if part <= LAST {
@@ -211,7 +229,8 @@ impl<'a> Search<'a> {
                 [-1.0, 1.0].map(|way| {
                     let mut by = [0.0; 5];
                     by[along] = way * steps[along];
-                    self.rated(moved(best.1, self.about, by))
+                    let moved = moved(best.1, self.about, by);
+                    (rating(&moved), moved)
                 })
             });
             match tried.min_by(|(a, _), (b, _)| a.total_cmp(b)) {
@@ -222,20 +241,11 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// The camera in the midst of those turned to either side, and then up and down, that are as good: from one degree to the next
-    /// outlines hardly differ by a cell.
-    fn amid_as_good(&self, from: Camera, is_as_good: impl Fn(&Camera) -> bool) -> Camera {
-        let along = [[1.0, 0.0], [0.0, 1.0]];
-        along.into_iter().fold(from, |camera, [theta, phi]| {
-            let turned = |by: f32| moved(camera, self.about, [by * theta, by * phi, 0.0, 0.0, 0.0]);
-            let reach = |way: i32| {
-                let is_reached =
-                    |steps: &i32| is_as_good(&turned(STEP_AMID * (way * steps) as f32));
-                let steps = (1..=MOST_AMID).take_while(is_reached);
-                way * steps.last().unwrap_or(0)
-            };
-            turned(0.5 * STEP_AMID * (reach(1) + reach(-1)) as f32)
-        })
+    /// The camera from which still fewer cells differ than from one that is as good as any, with the part of those: from one degree to
+    /// the next, outlines hardly move by a cell.
+    fn finely(&self, camera: Camera) -> (f32, Camera) {
+        let difference = |camera: &Camera| self.difference(camera);
+        self.refined((difference(&camera), camera), difference)
     }
 }
 

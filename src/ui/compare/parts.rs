@@ -341,6 +341,7 @@ mod tests {
             theirs: [&cube[..], &line].concat(),
             ours: cube.clone(),
             thin: None,
+            outlines: [const { Vec::new() }; 2],
             right: aside,
             apart: 3,
             has_outline: true,
