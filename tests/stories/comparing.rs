@@ -2282,6 +2282,40 @@ fn no_camera_is_blamed_where_a_part_of_a_figure_is_exactly_the_same() {
 }
 
 #[test]
+fn the_camera_is_not_asked_about_where_a_part_of_the_figure_is_exactly_the_same() {
+    let Some(mut story) = course_character(Look::Course, &["models/Model1.obj"]) else {
+        return;
+    };
+    let camera = Camera {
+        target: Vec3::new(0.458_573, 0.490_991, 0.499_982),
+        radius: 1.843_88,
+        theta: 92.578_3_f32.to_radians(),
+        phi: 0.1,
+        ..story.session().view().camera
+    };
+    let seen = vec![Action::View(View::SetCamera(camera))];
+    story.program.carry_out(seen, &mut story.host);
+    let bend = |story: &mut Story, elbow: f32| {
+        let turned = [
+            ("Neck", Vec3::X * 20.0),
+            ("Right leg", Vec3::Z * 15.0),
+            ("Right knee", Vec3::X * 45.0),
+            ("Right shoulder", Vec3::Z * 49.0),
+            ("Right elbow", Vec3::Z * elbow),
+        ];
+        turn_joints(story, &turned);
+    };
+    bend(&mut story, 20.0);
+    keep_picture(&mut story, (1000, 750));
+    bend(&mut story, 60.0);
+    compare_with_kept(&mut story);
+    let told = texts(&story);
+    assert!(has_text(&story, "Near Right elbow,"), "{told:?}");
+    let is_of_camera = |text: &String| text.to_lowercase().contains("camera ");
+    assert!(!told.iter().any(is_of_camera), "{told:?}");
+}
+
+#[test]
 fn a_camera_that_is_turned_is_told_where_all_of_the_outline_differs() {
     let mut story = Story::start(&["builtin:adult"]);
     show_in(&mut story, Look::Course);
