@@ -97,14 +97,16 @@ impl Pair<'_> {
         let (a, b) = (self.a(), self.b());
         let count = self.kept().len();
         let mut off = [vec![false; count], vec![false; count]];
+        let mut figures = off.clone();
         let mut right = vec![false; count];
         let mut of_figures = 0;
         pace.bands(count, |band| {
             for at in band.filter(|&at| self.kept()[at]) {
                 let drawn = self.figures_at(at);
                 let differs = difference(a[at], b[at]) > self.drawn_above();
-                for (off, drawn) in off.iter_mut().zip(drawn) {
+                for ((off, figure), drawn) in off.iter_mut().zip(&mut figures).zip(drawn) {
                     off[at] = drawn && differs;
+                    figure[at] = drawn;
                     of_figures += usize::from(drawn);
                 }
                 right[at] = drawn == [true; 2] && !differs;
@@ -137,10 +139,8 @@ impl Pair<'_> {
         })
         .await;
         let mut outlines = Vec::new();
-        for which in [0, 1] {
-            let is_drawn = |at: usize| self.kept()[at] && self.figures_at(at)[which];
-            let drawn: Vec<bool> = (0..count).map(is_drawn).collect();
-            outlines.push(grid.paced_islands(&drawn, pace).await);
+        for figure in &figures {
+            outlines.push(grid.paced_islands(figure, pace).await);
         }
         let found = FigureOff::new(
             grid,
@@ -172,6 +172,35 @@ mod tests {
     use super::*;
     use crate::compare::test_pictures::from_gray;
     use crate::steps::at_once;
+
+    #[test]
+    fn outlines_have_all_that_is_drawn_whatever_differs() {
+        let picture = |figure: std::ops::Range<usize>, is_checkered: bool| {
+            let gray = (0..120 * 120).map(|at| {
+                let (x, y) = (at % 120, at / 120);
+                match figure.contains(&x) && figure.contains(&y) {
+                    true if is_checkered && (x + y) % 2 == 0 => 160,
+                    true => 100,
+                    false => 0,
+                }
+            });
+            from_gray(120, &gray.collect::<Vec<u8>>())
+        };
+        // Of the smaller one, before the larger one, every second pixel differs.
+        let (a, b) = (picture(40..60, true), picture(20..110, false));
+        let pair = Pair::new(&a, &b, &[]).unwrap();
+        let found = at_once(|pace| async move { pair.paced_figure_off(&pace).await });
+        let FigureOff {
+            outlines, apart, ..
+        } = found.unwrap();
+        for (outline, figure) in outlines.iter().zip([40..60, 20..110]) {
+            let inside = figure.start + 1..figure.end - 1;
+            let along = inside.filter(|at| *at as u32 % apart == 0);
+            assert_eq!(outline.len(), along.clone().count().pow(2));
+            let is_inside = |at: u32| along.clone().any(|inside| inside as u32 == at);
+            assert!(outline.iter().flatten().all(|&at| is_inside(at)));
+        }
+    }
 
     #[test]
     fn an_upright_line_is_the_same_from_all_around_and_makes_no_camera_right() {

@@ -34,13 +34,16 @@ pub(super) fn compare_figures(
     let figure = (0..page.view.pixels.len()).filter(is_figure);
     let of_figures = page.pixels_of_figure() + ours.pixels_of_figure();
     let islands = [page.islands_off(&ours), ours.islands_off(&page)];
-    let outlines = [&page, &ours].map(|of| of.view.grid.apart(of.outline()));
+    let outlines = [page.outline(), ours.outline()];
+    let all = outlines
+        .each_ref()
+        .map(|outline| page.view.grid.apart(outline.clone()));
     let off = FigureOff::new(
         page.view.grid,
         islands.each_ref().map(Vec::as_slice),
         of_figures,
         ours.right(&page),
-        outlines.each_ref().map(Vec::as_slice),
+        all.each_ref().map(Vec::as_slice),
         true,
         floor.is_in_place(),
     );
@@ -50,18 +53,18 @@ pub(super) fn compare_figures(
         floor,
         elsewhere: off
             .as_ref()
-            .and_then(|_| elsewhere(&page, &ours, is_floor_same)),
+            .and_then(|_| elsewhere(&page, &ours, &outlines, is_floor_same)),
         off,
     })
 }
 
-/// How the outline of the figure in `page` is placed in `ours`, if it is there and elsewhere.
+/// How the outline of the figure in `page` is placed in `ours`, of which these are the masks, if it is there and elsewhere.
 fn elsewhere(
     page: &FigureIn<'_>,
     ours: &FigureIn<'_>,
+    outlines: &[Vec<bool>; 2],
     is_floor_same: bool,
 ) -> Option<FigureElsewhere> {
-    let outlines = [page.outline(), ours.outline()];
     let placed =
         whole_outline_placed(page.view.grid.width, outlines.each_ref().map(Vec::as_slice))?;
     Some(FigureElsewhere {
