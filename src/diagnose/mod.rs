@@ -51,6 +51,7 @@ mod skin;
 mod small_weights;
 mod tree_formula;
 mod triangles;
+mod turned_camera;
 mod turned_picture;
 mod vertex_count;
 mod vertex_formula;

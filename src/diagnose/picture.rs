@@ -3,16 +3,19 @@
 use super::diagnosis::{ToldMistake, Verdict, all_causes};
 use super::diagnosis_words::{fmt_mistakes, fmt_where, together};
 use super::elsewhere;
+use super::formula::Formula;
 use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::picture_search::{Closeness, PictureSearch};
 use super::search::Explanation;
 use super::silhouette::{DRAWN, drawn_border};
+use super::skin::Skinner;
+use super::turned_camera;
 use super::turned_picture;
 use super::ways::ways_of_whole_program;
 use crate::character::{Character, Pose};
 use crate::geometry::Picture;
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 use serde::Serialize;
 use std::fmt;
 
@@ -71,6 +74,9 @@ pub struct PictureDiagnosis {
     /// Share of the picture's border that differs from its background.
     #[serde(skip)]
     pub drawn_border: f64,
+    /// Of a picture that is nearly right, the mistakes that give it as well as a camera does that is turned a little.
+    #[serde(skip)]
+    pub or_slight: Option<String>,
 }
 
 /// Finds out which mistakes give the silhouette in `picture`, of which the character in `pose` is all
@@ -97,6 +103,17 @@ pub fn diagnose_picture(
             let Some(found) = search.map(|search| found(&search, drawn_border)) else {
                 continue;
             };
+            if found.verdict == Verdict::Explained && found.error_from_exact <= NEARLY {
+                let mut cameras = turned_camera::turned(clip_from_model, middle(&model, pose));
+                let is_right = |camera| {
+                    let search = PictureSearch::new(&model, pose, picture, camera, at);
+                    search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
+                };
+                return Ok(match cameras.any(is_right) {
+                    true => found.or_turned_camera(),
+                    false => found,
+                });
+            }
             if found.verdict != Verdict::Unexplained {
                 return Ok(found);
             }
@@ -121,6 +138,14 @@ pub fn diagnose_picture(
     Ok(found)
 }
 
+/// The middle of the vertices in a pose, in model space.
+fn middle(model: &Model<'_>, pose: &Pose) -> DVec3 {
+    let mut skinner = Skinner::new(model, pose, &Formula::default());
+    let count = skinner.count();
+    let sum: DVec3 = (0..count).map(|at| skinner.place(at).at).sum();
+    sum / count.max(1) as f64
+}
+
 /// What a search for one picture finds, of whose border this share is drawn.
 fn found(search: &PictureSearch<'_>, drawn_border: f64) -> PictureDiagnosis {
     let error = search.error_from_exact;
@@ -138,6 +163,7 @@ fn found(search: &PictureSearch<'_>, drawn_border: f64) -> PictureDiagnosis {
         is_scattered: false,
         only_lacks: search.only_lacks,
         drawn_border,
+        or_slight: None,
     };
     if error > TOLERANCE && search.is_scattered {
         found.verdict = Verdict::Unexplained;
@@ -206,6 +232,21 @@ impl PictureDiagnosis {
         self.verdict == Verdict::Unexplained && self.error_from_exact <= NEARLY
     }
 
+    /// The same where a camera that is turned a little gives the silhouette as well, so that no mistake is to blame.
+    fn or_turned_camera(self) -> Self {
+        let slight: Vec<&str> = self.mistakes.iter().map(|mistake| mistake.id).collect();
+        Self {
+            or_slight: Some(together(&slight)),
+            verdict: Verdict::Unexplained,
+            causes: Vec::new(),
+            error: self.error_from_exact,
+            sure: 0.0,
+            mistakes: Vec::new(),
+            same_as: Vec::new(),
+            ..self
+        }
+    }
+
     /// What may be behind a silhouette that nothing explains, after a semicolon.
     fn what_it_may_be(&self) -> String {
         if let Some(placed) = &self.placed {
@@ -228,6 +269,16 @@ impl PictureDiagnosis {
                 .to_owned()
         } else {
             String::new()
+        }
+    }
+
+    /// Where it is off.
+    fn fmt_off_within(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.off_within.filter(|_| self.verdict != Verdict::Right) {
+            Some([x, y, width, height]) => {
+                write!(f, "\n  shown by the pixels within {x},{y},{width},{height}")
+            }
+            None => Ok(()),
         }
     }
 
@@ -256,6 +307,14 @@ impl PictureDiagnosis {
 impl fmt::Display for PictureDiagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (error, exact) = (percent(self.error), percent(self.error_from_exact));
+        if let Some(slight) = &self.or_slight {
+            write!(
+                f,
+                "nearly right: {exact} of the silhouette is off, as through a camera that is turned by a few degrees; {slight} \
+                 gives the same"
+            )?;
+            return self.fmt_off_within(f);
+        }
         match self.verdict {
             Verdict::Explained => {
                 fmt_mistakes(&self.mistakes, f)?;
@@ -299,12 +358,7 @@ impl fmt::Display for PictureDiagnosis {
                 self.what_it_may_be()
             )?,
         }
-        match self.off_within.filter(|_| self.verdict != Verdict::Right) {
-            Some([x, y, width, height]) => {
-                write!(f, "\n  shown by the pixels within {x},{y},{width},{height}")
-            }
-            None => Ok(()),
-        }
+        self.fmt_off_within(f)
     }
 }
 
