@@ -11,8 +11,8 @@ use editor_core::io::image::{self, PictureFormat};
 use editor_core::math::{Euler, Transform};
 use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::scene::{
-    BoneStyle, Camera, CharacterDisplay, CurveDisplay, Look, ModelDisplay, ShapeColor, ShapeId,
-    SurfaceVisibility,
+    BoneStyle, Camera, CharacterDisplay, CurveDisplay, Look, ModelDisplay, NewShape, ShapeColor,
+    ShapeId, ShapeKind, SurfaceVisibility,
 };
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings, course_panels};
 use egui::{Key, Modifiers, vec2};
@@ -1126,6 +1126,53 @@ fn a_camera_that_is_not_found_may_be_another_one() {
         let is_told = told.iter().any(|text| text.contains(told_so));
         assert!(is_told, "{look:?} {by:?} {told:?}");
     }
+}
+
+#[test]
+fn a_shape_that_is_moved_behind_a_limb_that_is_turned_as_well_is_not_said_to_be_missing() {
+    let Some(mut story) = course_character(Look::Course, &["models/Model1.obj"]) else {
+        return;
+    };
+    let mut cube = NewShape::new("Cube", ShapeKind::Cube);
+    cube.placement.transform.scale = Vec3::splat(0.3);
+    cube.placement.color = ShapeColor::Custom(Vec3::X);
+    let insert = Edit::Insert(vec![cube]);
+    story.program.session_mut().edit(insert).unwrap();
+    let shapes = story.session().scene().shapes();
+    let [model, cube] = [0, 1].map(|at| shapes[at].id);
+    let arrange = |story: &mut Story, knee: f32, place: Vec3| {
+        let turned = [
+            ("Right leg", Vec3::X * -61.0),
+            ("Right knee", Vec3::X * knee),
+            ("Right shoulder", Vec3::Z * 41.0),
+        ];
+        turn_joints_of(story, model, &turned);
+        let shape = story.session().scene().shape(cube).unwrap();
+        let mut transform = shape.placement.transform;
+        transform.position = place;
+        let edit = Edit::SetTransform(cube, transform);
+        story.program.session_mut().edit(edit).unwrap();
+        story.settle();
+    };
+    let camera = Camera {
+        target: Vec3::new(0.293, 0.5398, 0.2249),
+        radius: 1.7135,
+        theta: 60.78_f32.to_radians(),
+        phi: -8.88_f32.to_radians(),
+        ..Camera::default()
+    };
+    let seen = vec![Action::View(View::SetCamera(camera))];
+    story.program.carry_out(seen, &mut story.host);
+    arrange(&mut story, 15.0, Vec3::new(-0.2, 0.3, 0.5));
+    keep_picture(&mut story, (1000, 750));
+    arrange(&mut story, 51.0, Vec3::new(-0.5, 0.3, 0.0));
+    compare_with_kept(&mut story);
+    let told = texts(&story);
+    assert!(has_text(&story, "Near Right knee,"), "{told:?}");
+    let cube = told.iter().find(|text| text.starts_with("Near Cube,"));
+    let cube = cube.unwrap_or_else(|| panic!("{told:?}"));
+    assert!(cube.ends_with(": it is moved, turned or scaled."), "{cube}");
+    assert!(!has_text(&story, "A shows something"), "{told:?}");
 }
 
 #[test]

@@ -28,6 +28,8 @@ const FIGURE: f64 = 50.0;
 const LITTLE: f64 = 0.05;
 /// Most parts that differ by themselves.
 const MOST: usize = 6;
+/// Share of a shape's pixels that are off from which on something that covers them in the other picture may be the shape itself.
+const OVER: f64 = 0.05;
 
 /// The parts that differ, and what is known beside them.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,10 +158,17 @@ impl Differing<'_> {
             Candidate::Shape(_) => Some(ours.len()),
         };
         let sizes: Vec<Option<usize>> = candidates.iter().zip(&pixels).map(size_of_shape).collect();
-        let (of_parts, absent) = without_absent(of_theirs, &sizes, self.off);
+        let (of_parts, mut absent) = without_absent(of_theirs, &sizes, self.off);
         for Attributed { pixel, part } in of_parts {
             if let Some(part) = part {
                 pixels[part][1].push(pixel);
+            }
+        }
+        // What is there of a shape of which nothing else is may be that shape, together with what is before it.
+        for (of_part, size) in pixels.iter_mut().zip(&sizes) {
+            if size.is_some() && of_part[1].is_empty() {
+                let there = absent.iter().position(|group| is_over(group, &of_part[0]));
+                of_part[1].extend(there.map(|group| absent.remove(group)).unwrap_or_default());
             }
         }
         let mut parts = self.parts_of(candidates, pixels);
@@ -278,6 +287,13 @@ impl Differing<'_> {
             percent: 100.0 * pixels.len() as f64 / self.shown(),
         })
     }
+}
+
+/// Whether what is absent covers some of a shape that is off at pixels of its own.
+fn is_over(absent: &[(u32, u32)], own: &[(u32, u32)]) -> bool {
+    let absent: HashSet<&(u32, u32)> = absent.iter().collect();
+    let both = own.iter().filter(|pixel| absent.contains(pixel));
+    both.count() as f64 >= OVER * own.len().max(1) as f64
 }
 
 fn whole(pixel: Vec2) -> (u32, u32) {
