@@ -195,7 +195,7 @@ mod tests {
         } = found.unwrap();
         for (outline, figure) in outlines.iter().zip([40..60, 20..110]) {
             let inside = figure.start + 1..figure.end - 1;
-            let along = inside.filter(|at| *at as u32 % apart == 0);
+            let along = inside.filter(|at| (*at as u32).is_multiple_of(apart));
             assert_eq!(outline.len(), along.clone().count().pow(2));
             let is_inside = |at: u32| along.clone().any(|inside| inside as u32 == at);
             assert!(outline.iter().flatten().all(|&at| is_inside(at)));
