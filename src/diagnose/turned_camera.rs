@@ -26,11 +26,14 @@ pub(super) fn turned(clip_from_model: DMat4, middle: DVec3) -> impl Iterator<Ite
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Camera;
+    use glam::DVec4;
 
     #[test]
     fn turned_cameras_have_the_middle_where_it_was() {
-        let clip = Camera::default().clip_from_world(1.0).as_dmat4();
+        // An eye at (0, 0, 5), which looks along -z, with a field of 90 degrees.
+        let view = DMat4::from_translation(DVec3::NEG_Z * 5.0);
+        let clip =
+            DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::NEG_Z - DVec4::W, DVec4::NEG_Z) * view;
         let middle = DVec3::new(0.3, -0.2, 0.4);
         let seen = |clip: DMat4, at| clip.project_point3(at).truncate();
         let cameras: Vec<DMat4> = turned(clip, middle).collect();
