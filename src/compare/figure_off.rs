@@ -60,16 +60,15 @@ impl FigureOff {
             passed_over += size;
             passed_over as f64 > LITTLE * of_figures as f64
         })?;
-        let told = |islands: &[Vec<usize>]| -> Vec<usize> {
+        let told = |islands: &[Vec<usize>], least: usize| -> Vec<usize> {
             let told = islands.iter().filter(|island| island.len() >= least);
             told.flatten().copied().collect()
         };
-        let without_specks = |islands: &[Vec<usize>]| -> Vec<usize> {
+        let outlines = outlines.map(|islands| {
             let count: usize = islands.iter().map(Vec::len).sum();
-            let is_told = |island: &&Vec<usize>| island.len() as f64 > LITTLE * count as f64;
-            islands.iter().filter(is_told).flatten().copied().collect()
-        };
-        let [ours, theirs] = [told(ours), told(theirs)];
+            told(islands, (LITTLE * count as f64) as usize + 1)
+        });
+        let [ours, theirs] = [ours, theirs].map(|islands| told(islands, least));
         let count = ours.len() + theirs.len() + right.len();
         let apart = match count {
             ..=SMALL => 1,
@@ -82,7 +81,7 @@ impl FigureOff {
             theirs: spread(theirs),
             thin: None,
             right: spread(right),
-            outlines: outlines.map(|outline| spread(without_specks(outline))),
+            outlines: outlines.map(spread),
             apart,
             has_outline,
             is_camera_right,

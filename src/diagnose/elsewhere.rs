@@ -2,11 +2,12 @@
 
 use super::formula::Formula;
 use super::model::Model;
+use super::picture_search::points;
 use super::silhouette::{DRAWN, Samples, Silhouette};
 use super::skin::Skinner;
 use crate::character::Pose;
 use crate::geometry::Picture;
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 
 /// How the exact silhouette, which is seen with `clip_from_model`, is placed in `picture`, in words; `None` if it is not there.
 pub(super) fn find(
@@ -15,10 +16,7 @@ pub(super) fn find(
     picture: &Picture,
     clip_from_model: DMat4,
 ) -> Option<String> {
-    let mut skinner = Skinner::new(model, pose, &Formula::default());
-    let points: Vec<DVec3> = (0..skinner.count())
-        .map(|at| skinner.place(at).at)
-        .collect();
+    let points = points(&mut Skinner::new(model, pose, &Formula::default()));
     // Each pixel is a sample, so that movements are told in pixels.
     let (width, height) = (picture.width, picture.height);
     let samples = Samples::new(width, height, width.max(height));

@@ -3,19 +3,16 @@
 use super::diagnosis::{ToldMistake, Verdict, all_causes};
 use super::diagnosis_words::{fmt_mistakes, fmt_where, together};
 use super::elsewhere;
-use super::formula::Formula;
 use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::picture_search::{Closeness, PictureSearch};
 use super::search::Explanation;
 use super::silhouette::{DRAWN, drawn_border};
-use super::skin::Skinner;
-use super::turned_camera;
 use super::turned_picture;
 use super::ways::ways_of_whole_program;
 use crate::character::{Character, Pose};
 use crate::geometry::Picture;
-use glam::{DVec3, Mat4};
+use glam::Mat4;
 use serde::Serialize;
 use std::fmt;
 
@@ -100,19 +97,13 @@ pub fn diagnose_picture(
         for closeness in [Closeness::Figure, Closeness::Picture] {
             let at = (noise, closeness);
             let search = PictureSearch::new(&model, pose, picture, clip_from_model, at);
-            let Some(found) = search.map(|search| found(&search, drawn_border)) else {
+            let Some(search) = search else {
                 continue;
             };
-            if found.verdict == Verdict::Explained && found.error_from_exact <= NEARLY {
-                let mut cameras = turned_camera::turned(clip_from_model, middle(&model, pose));
-                let is_right = |camera| {
-                    let search = PictureSearch::new(&model, pose, picture, camera, at);
-                    search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
-                };
-                return Ok(match cameras.any(is_right) {
-                    true => found.or_turned_camera(),
-                    false => found,
-                });
+            let found = found(&search, drawn_border);
+            let is_slight = found.verdict == Verdict::Explained && found.error_from_exact <= NEARLY;
+            if is_slight && search.is_of_turned_camera(TOLERANCE) {
+                return Ok(found.or_turned_camera());
             }
             if found.verdict != Verdict::Unexplained {
                 return Ok(found);
@@ -136,14 +127,6 @@ pub fn diagnose_picture(
         }
     }
     Ok(found)
-}
-
-/// The middle of the vertices in a pose, in model space.
-fn middle(model: &Model<'_>, pose: &Pose) -> DVec3 {
-    let mut skinner = Skinner::new(model, pose, &Formula::default());
-    let count = skinner.count();
-    let sum: DVec3 = (0..count).map(|at| skinner.place(at).at).sum();
-    sum / count.max(1) as f64
 }
 
 /// What a search for one picture finds, of whose border this share is drawn.

@@ -5,6 +5,7 @@ use super::model::Model;
 use super::search::Explanation;
 use super::silhouette::{Samples, Silhouette};
 use super::skin::Skinner;
+use super::turned_camera;
 use super::ways::{Made, formula, pairs_of_ways, ways};
 use crate::character::Pose;
 use crate::geometry::Picture;
@@ -206,7 +207,8 @@ impl<'a> PictureSearch<'a> {
             }
         }
         let points = points(&mut skinner);
-        let may_fit = self.coarse.area < TELLING || self.error(&points, &self.coarse) <= MAY_FIT;
+        let may_fit = self.coarse.area < TELLING
+            || self.error(&points, &self.coarse, self.clip_from_model) <= MAY_FIT;
         may_fit.then(|| self.fine_error(&points))
     }
 
@@ -225,23 +227,39 @@ impl<'a> PictureSearch<'a> {
 
     /// The part of the silhouette that is off from the one of `points` as closely as is looked.
     fn fine_error(&self, points: &[DVec3]) -> f64 {
-        let error = self.error(points, &self.fine);
+        self.fine_error_seen_with(points, self.clip_from_model)
+    }
+
+    /// The same where these are seen with `clip_from_model`.
+    fn fine_error_seen_with(&self, points: &[DVec3], clip_from_model: DMat4) -> f64 {
+        let error = self.error(points, &self.fine, clip_from_model);
         match &self.closer {
             Some(closer) if error <= MAY_FIT => {
-                error.max(closer.lacking(&self.made(points, closer)))
+                error.max(closer.lacking(&self.made(points, closer, clip_from_model)))
             }
             _ => error,
         }
     }
 
     /// The part of the silhouette that is off from the one of `points`.
-    fn error(&self, points: &[DVec3], seen: &Seen) -> f64 {
-        seen.error(&self.made(points, seen))
+    fn error(&self, points: &[DVec3], seen: &Seen, clip_from_model: DMat4) -> f64 {
+        seen.error(&self.made(points, seen, clip_from_model))
     }
 
-    fn made(&self, points: &[DVec3], seen: &Seen) -> Silhouette {
-        let (triangles, clip_from_model) = (self.model.triangles(), self.clip_from_model);
-        Silhouette::of_mesh(points, triangles, clip_from_model, seen.samples)
+    fn made(&self, points: &[DVec3], seen: &Seen, clip_from_model: DMat4) -> Silhouette {
+        Silhouette::of_mesh(
+            points,
+            self.model.triangles(),
+            clip_from_model,
+            seen.samples,
+        )
+    }
+
+    /// Whether a camera that is turned a little shows the exact figure in the picture, but for the part `enough` of the silhouette.
+    pub(super) fn is_of_turned_camera(&self, enough: f64) -> bool {
+        let points = points(&mut self.skinner(&Formula::default()));
+        let mut cameras = turned_camera::turned(self.clip_from_model, &points);
+        cameras.any(|camera| self.fine_error_seen_with(&points, camera) <= enough)
     }
 }
 
@@ -258,7 +276,7 @@ impl Seen {
 }
 
 /// Where the vertices of a mesh are.
-fn points(skinner: &mut Skinner) -> Vec<DVec3> {
+pub(super) fn points(skinner: &mut Skinner) -> Vec<DVec3> {
     let all = 0..skinner.count();
     all.map(|at| skinner.place(at).at).collect()
 }

@@ -6,8 +6,9 @@ use glam::{DMat4, DVec3};
 /// figure of the course more differed at 3 degrees than any slight mistake gives.
 const TURNS: [f64; 5] = [-3.0, -1.5, 0.0, 1.5, 3.0];
 
-/// `clip_from_model` of cameras that are turned a little about `middle`, in model space.
-pub(super) fn turned(clip_from_model: DMat4, middle: DVec3) -> impl Iterator<Item = DMat4> {
+/// `clip_from_model` of cameras that are turned a little about the middle of these points, in model space.
+pub(super) fn turned(clip_from_model: DMat4, points: &[DVec3]) -> impl Iterator<Item = DMat4> {
+    let middle = points.iter().sum::<DVec3>() / points.len().max(1) as f64;
     let right = clip_from_model.row(0).truncate().normalize_or(DVec3::X);
     let up = clip_from_model.row(1).truncate().normalize_or(DVec3::Y);
     let turns = TURNS
@@ -36,7 +37,7 @@ mod tests {
             DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::NEG_Z - DVec4::W, DVec4::NEG_Z) * view;
         let middle = DVec3::new(0.3, -0.2, 0.4);
         let seen = |clip: DMat4, at| clip.project_point3(at).truncate();
-        let cameras: Vec<DMat4> = turned(clip, middle).collect();
+        let cameras: Vec<DMat4> = turned(clip, &[middle - DVec3::Y, middle + DVec3::Y]).collect();
         assert_eq!(cameras.len(), 24);
         for camera in cameras {
             assert!((seen(camera, middle) - seen(clip, middle)).length() < 1e-9);

@@ -44,7 +44,7 @@ pub struct Row {
 pub struct Submission {
     /// Name of its folder.
     pub name: String,
-    /// Path of the page about it alone from the folder of the report, once [`Report::name_pages`] has named it.
+    /// Path of the page about it alone from the folder of the report.
     pub page: String,
     /// Points in all, without those that a person has not given yet.
     pub points: f64,
@@ -107,52 +107,59 @@ pub struct MistakeGroup {
 
 impl Report {
     /// The report on submissions, each with its name and the results of all tests in their order. Exact
-    /// `pictures` of tests are PNG in Base64 by name.
+    /// `pictures` of tests are PNG in Base64 by name, and `page_paths` has the path of the page about each submission
+    /// alone for their names, in their order.
     pub fn new(
         file: &TestsFile,
         pictures: &BTreeMap<String, String>,
         mut graded: Vec<(String, Vec<Graded>)>,
+        page_paths: impl FnOnce(&[&str]) -> Vec<String>,
     ) -> Self {
         graded.sort_by_cached_key(|(name, _)| Name::from(&**name));
+        let names: Vec<&str> = graded.iter().map(|(name, _)| &**name).collect();
+        let pages = page_paths(&names);
         let sections = sections(file);
         let possible = sections.iter().filter(|section| !section.extra);
         let possible = in_cents(possible.map(|section| section.possible).sum());
-        let submissions = graded.into_iter().map(|(name, mut graded)| {
-            settled::settle(file, &mut graded);
-            let tests: Vec<GradedTest> = file
-                .tests
-                .iter()
-                .zip(graded)
-                .map(|(test, graded)| GradedTest {
-                    test: test.name.clone(),
-                    points: cents(rubric::points(test, &graded, &file.rubric)),
-                    elsewhere: elsewhere(test, &graded, &file.rubric),
-                    why: why::why(test, &graded, &file.rubric),
-                    outcome: graded.outcome,
-                    hint: graded.hint,
-                    causes: graded.causes,
-                    error: graded.error,
-                    agrees: graded.agrees,
-                    near: graded.near,
-                    text: graded.text,
-                    picture: graded.picture,
-                })
-                .collect();
-            let by_section = points_by_section(file, &sections, &name, &tests);
-            let is_open =
-                |section: &&Section| !section.extra && by_section[&section.section].is_none();
-            let not_graded = sections.iter().filter(is_open);
-            Submission {
-                points: in_cents(by_section.values().flatten().sum()),
-                not_graded: in_cents(not_graded.map(|section| section.possible).sum()),
-                possible,
-                notes: notes(file, &sections, &name, &tests, &by_section),
-                sections: by_section,
-                tests,
-                name,
-                page: String::new(),
-            }
-        });
+        let submissions = graded
+            .into_iter()
+            .zip(pages)
+            .map(|((name, mut graded), page)| {
+                settled::settle(file, &mut graded);
+                let tests: Vec<GradedTest> = file
+                    .tests
+                    .iter()
+                    .zip(graded)
+                    .map(|(test, graded)| GradedTest {
+                        test: test.name.clone(),
+                        points: cents(rubric::points(test, &graded, &file.rubric)),
+                        elsewhere: elsewhere(test, &graded, &file.rubric),
+                        why: why::why(test, &graded, &file.rubric),
+                        outcome: graded.outcome,
+                        hint: graded.hint,
+                        causes: graded.causes,
+                        error: graded.error,
+                        agrees: graded.agrees,
+                        near: graded.near,
+                        text: graded.text,
+                        picture: graded.picture,
+                    })
+                    .collect();
+                let by_section = points_by_section(file, &sections, &name, &tests);
+                let is_open =
+                    |section: &&Section| !section.extra && by_section[&section.section].is_none();
+                let not_graded = sections.iter().filter(is_open);
+                Submission {
+                    points: in_cents(by_section.values().flatten().sum()),
+                    not_graded: in_cents(not_graded.map(|section| section.possible).sum()),
+                    possible,
+                    notes: notes(file, &sections, &name, &tests, &by_section),
+                    sections: by_section,
+                    tests,
+                    name,
+                    page,
+                }
+            });
         let submissions: Vec<Submission> = submissions.collect();
         let tests = file.tests.iter().map(|test| Row {
             name: test.name.clone(),
@@ -176,15 +183,6 @@ impl Report {
             mistakes: mistakes(&submissions),
             submissions,
             sections,
-        }
-    }
-
-    /// Gives the page about each submission alone its path, of those that `paths` has for their names in their order.
-    pub fn name_pages(&mut self, paths: impl FnOnce(&[&str]) -> Vec<String>) {
-        let names = self.submissions.iter().map(|submission| &*submission.name);
-        let paths = paths(&names.collect::<Vec<_>>());
-        for (submission, path) in self.submissions.iter_mut().zip(paths) {
-            submission.page = path;
         }
     }
 }
@@ -314,7 +312,13 @@ mod tests {
                 vec![wrong("euler-zyx"), Graded::without(Outcome::Missing, "")],
             ),
         ];
-        Report::new(&file(), &BTreeMap::new(), graded)
+        let page_paths = |names: &[&str]| {
+            names
+                .iter()
+                .map(|name| format!("pages/{name}.html"))
+                .collect()
+        };
+        Report::new(&file(), &BTreeMap::new(), graded, page_paths)
     }
 
     #[test]

@@ -80,6 +80,21 @@ mod tests {
     }
 
     #[test]
+    fn the_reference_has_the_edges_that_leave_clearly_fewer_differences() {
+        assert_eq!(Edges::Unknown.tell(0), Some(false));
+        assert_eq!(Edges::Unknown.tell(900), None);
+        let after_hard = [0, 800, 890, 910, 1000].map(|smooth| Edges::Hard(900).tell(smooth));
+        assert_eq!(
+            after_hard,
+            [Some(true), Some(true), None, None, Some(false)]
+        );
+        assert_eq!(
+            [Edges::Found(5), Edges::Chosen].map(|edges| edges.tell(0)),
+            [None; 2]
+        );
+    }
+
+    #[test]
     fn edges_that_were_chosen_far_from_the_reference_are_chosen_anew_near_it() {
         // Smooth ones leave fewer by chance; then the figure comes to its place, where hard ones leave nothing.
         assert_eq!(chosen(&[900, 890, 100, 0]), [true, true, false, false]);

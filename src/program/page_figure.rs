@@ -35,7 +35,7 @@ pub(super) fn compare_figures(
     let of_figures = page.pixels_of_figure() + ours.pixels_of_figure();
     let islands = [page.islands_off(&ours), ours.islands_off(&page)];
     let outlines = [page.outline(), ours.outline()];
-    let all = outlines
+    let shown = outlines
         .each_ref()
         .map(|outline| page.view.grid.apart(outline.clone()));
     let off = FigureOff::new(
@@ -43,7 +43,7 @@ pub(super) fn compare_figures(
         islands.each_ref().map(Vec::as_slice),
         of_figures,
         ours.right(&page),
-        all.each_ref().map(Vec::as_slice),
+        shown.each_ref().map(Vec::as_slice),
         true,
         floor.is_in_place(),
     );

@@ -1161,8 +1161,7 @@ fn a_shape_that_is_moved_behind_a_limb_that_is_turned_as_well_is_not_said_to_be_
         phi: -8.88_f32.to_radians(),
         ..Camera::default()
     };
-    let seen = vec![Action::View(View::SetCamera(camera))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, camera);
     arrange(&mut story, 15.0, Vec3::new(-0.2, 0.3, 0.5));
     keep_picture(&mut story, (1000, 750));
     arrange(&mut story, 51.0, Vec3::new(-0.5, 0.3, 0.0));
@@ -1728,8 +1727,7 @@ fn home_in_the_mannequin_look_leads_to_where_that_program_starts_the_second_time
         radius: 7.0,
         ..start
     };
-    let seen = vec![Action::View(View::SetCamera(moved))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, moved);
     story.key(Key::Home);
     assert_eq!(story.session().view().camera, start);
     let (_, told) = *story.messages().last().expect("what Home does next");
@@ -1899,6 +1897,12 @@ fn turn_joints_of(story: &mut Story, shape: ShapeId, turned: &[(&str, Vec3)]) {
     story.settle();
 }
 
+/// Shows the scene from this camera.
+fn see_from(story: &mut Story, camera: Camera) {
+    let seen = vec![Action::View(View::SetCamera(camera))];
+    story.program.carry_out(seen, &mut story.host);
+}
+
 /// Shows the scene from a camera that is turned by so many degrees to the left and up.
 fn turn_camera(story: &mut Story, [around, above]: [f32; 2]) {
     let here = story.session().view().camera;
@@ -1907,8 +1911,7 @@ fn turn_camera(story: &mut Story, [around, above]: [f32; 2]) {
         phi: here.phi + above.to_radians(),
         ..here
     };
-    let seen = vec![Action::View(View::SetCamera(turned))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(story, turned);
 }
 
 /// A story with a file of the Virtual Mannequin.
@@ -2058,8 +2061,7 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
         radius: 6.4,
         ..page
     };
-    let seen = vec![Action::View(View::SetCamera(moved))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, moved);
     judge(&mut story);
     assert!(!has_text(&story, "The figure agrees"));
     assert!(
@@ -2082,8 +2084,7 @@ fn what_differs_from_the_mannequins_own_page_is_a_part_of_the_floor_and_of_edges
             target: page.target + aside * Vec3::X,
             ..page
         };
-        let seen = vec![Action::View(View::SetCamera(elsewhere))];
-        story.program.carry_out(seen, &mut story.host);
+        see_from(&mut story, elsewhere);
         judge(&mut story);
         assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
         assert!(has_text(
@@ -2211,8 +2212,7 @@ fn a_root_that_is_moved_a_little_is_told_by_the_floor_of_the_page_from_a_camera_
             target: page.target + aside * Vec3::X,
             ..page
         };
-        let seen = vec![Action::View(View::SetCamera(elsewhere))];
-        story.program.carry_out(seen, &mut story.host);
+        see_from(&mut story, elsewhere);
         story.settle();
         judge(&mut story);
         let (is_told, is_camera_blamed, texts) = told(&story, moved, reason);
@@ -2316,8 +2316,7 @@ fn no_camera_is_blamed_where_a_part_of_a_figure_is_exactly_the_same() {
         radius: 1.41,
         ..story.session().view().camera
     };
-    let seen = vec![Action::View(View::SetCamera(nearer))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, nearer);
     keep_picture(&mut story, (1000, 750));
     story.type_into("Right knee X", "30");
     story.type_into("Left hip X", "25");
@@ -2340,8 +2339,7 @@ fn the_camera_is_not_asked_about_where_a_part_of_the_figure_is_exactly_the_same(
         phi: 0.1,
         ..story.session().view().camera
     };
-    let seen = vec![Action::View(View::SetCamera(camera))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, camera);
     let bend = |story: &mut Story, elbow: f32| {
         let turned = [
             ("Neck", Vec3::X * 20.0),
@@ -2368,8 +2366,7 @@ fn a_camera_that_is_turned_is_told_where_all_of_the_outline_differs() {
     show_in(&mut story, Look::Course);
     let mut aside = story.session().view().camera;
     aside.target += 0.6 * Vec3::X;
-    let seen = vec![Action::View(View::SetCamera(aside))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, aside);
     story.settle();
     let camera = told_of_camera(&mut story, [20.0, 0.0]);
     assert!(camera.contains("farther to the right"), "{camera}");
@@ -2390,8 +2387,7 @@ fn no_joint_is_blamed_for_much_of_a_figure_where_a_shape_is_hidden_as_well() {
         phi: here.phi + 0.08,
         ..here
     };
-    let seen = vec![Action::View(View::SetCamera(turned))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(&mut story, turned);
     story.click("Hide Gem");
     compare_with_kept(&mut story);
     assert!(!has_text(&story, "Near "), "{:?}", texts(&story));
@@ -2402,8 +2398,7 @@ fn look_aside(story: &mut Story, aside: Vec3, away: f32) {
     let mut camera = story.session().view().camera;
     camera.target += aside;
     camera.radius *= away;
-    let seen = vec![Action::View(View::SetCamera(camera))];
-    story.program.carry_out(seen, &mut story.host);
+    see_from(story, camera);
     story.settle();
 }
 
@@ -2573,8 +2568,7 @@ fn a_camera_of_the_page_that_is_turned_by_less_than_its_figure_shows_is_told_by_
             phi: page.phi + phi,
             ..page
         };
-        let seen = vec![Action::View(View::SetCamera(turned))];
-        story.program.carry_out(seen, &mut story.host);
+        see_from(&mut story, turned);
         judge(&mut story);
         assert!(has_text(&story, "The figure agrees"), "{:?}", texts(&story));
         let floor = "The floor differs by more than the page's noise";

@@ -290,8 +290,8 @@ fn report(
     graded: BTreeMap<String, Vec<Graded>>,
 ) -> Result<BTreeSet<String>, CliError> {
     let file = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
-    let mut report = Report::new(&file, &run.pictures, graded.into_iter().collect());
-    report.name_pages(page_paths);
+    let graded = graded.into_iter().collect();
+    let report = Report::new(&file, &run.pictures, graded, page_paths);
     let mut written = vec![
         (folder.join(JSON), json_text(&report)?.into_bytes()),
         (folder.join(CSV), report.to_csv().into_bytes()),

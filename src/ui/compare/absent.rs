@@ -1,10 +1,13 @@
 //! What the other picture shows where the live view has nothing.
 
 use super::clusters::clusters;
+use super::how::EMPTY;
+use super::part::Pixels;
 use super::shapes_seen::box_of;
 use crate::compare::{Area, FigureOff};
 use crate::editor::Session;
 use glam::Vec2;
+use std::collections::HashSet;
 
 /// How far apart groups of pixels are of which each may be a shape, by how far apart the pixels are.
 const CLUSTER: u32 = 4;
@@ -55,6 +58,24 @@ pub(super) fn without_absent(
         of_parts.extend(group);
     }
     (of_parts, absent)
+}
+
+/// Takes from the groups of what is `absent` those that are the `shapes` of which these pixels of the live view and of the other
+/// picture are off: what covers some of a shape there of which nothing else is, is that shape, together with what is before it.
+pub(super) fn give_back<'a>(
+    absent: &mut Vec<Vec<(u32, u32)>>,
+    shapes: impl Iterator<Item = &'a mut Pixels>,
+) {
+    for [ours, theirs] in shapes.filter(|[_, theirs]| theirs.is_empty()) {
+        let is_over = |group: &Vec<(u32, u32)>| {
+            let group: HashSet<&(u32, u32)> = group.iter().collect();
+            let both = ours.iter().filter(|pixel| group.contains(pixel));
+            both.count() as f64 >= EMPTY * ours.len().max(1) as f64
+        };
+        if let Some(group) = absent.iter().position(is_over) {
+            *theirs = absent.remove(group);
+        }
+    }
 }
 
 /// The hidden shape whose box in a view of `size` pixels is about `area`.

@@ -103,7 +103,7 @@ const ELSEWHERE: f64 = 0.1;
 
 /// Share of it that has something in its place from which on the other picture shows something of it: so it was 0.023 of one that
 /// is missing, and 0.08 where bones are lines.
-const EMPTY: f64 = 0.05;
+pub(super) const EMPTY: f64 = 0.05;
 
 /// How a character differs of which more than limbs does, where it has another color or is shown otherwise, or not at all; `None`
 /// where it stands elsewhere. `off` are pixels of all that differs, and the others those of the character.

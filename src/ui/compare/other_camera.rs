@@ -16,7 +16,7 @@ const KNOWN: f32 = 0.03;
 /// Mean distance that is told, in cells: of a figure that was turned by 8 and 6 degrees it was 0.008.
 const LEAST: f32 = 0.004;
 /// Another camera leaves at most one in so many of what differs without it. What limbs leave that are turned, no camera does: of
-/// one with a shape that was moved and one of another color a camera left one in 5.5; the right one of two figures one in 7.8.
+/// a shoulder a camera left one in 3.4, and the right one beside an elbow that is turned as well one in 14.
 const LEFT_ONE_IN: f32 = 7.0;
 /// The same where no more is left of the other picture than of the live view itself, but for this part and so many cells.
 const LEFT_LIKE_ITSELF: f32 = 4.0;
@@ -54,8 +54,8 @@ const ROUGHLY: f32 = 2.0;
 /// What outlines may leave where all that is drawn is explained, and the camera is exact enough to be told with numbers: it was 0.002
 /// at most, and more where limbs were turned as well, 0.008 where a forearm was by 40 degrees and 0.014 where a leg was by 8.
 const ALL: f32 = 0.005;
-/// Distance in cells, farther away than which so many times as many cells are at most, and a few, as of the live view itself: of a
-/// forearm that was raised by 30 degrees as well there were 7 where none of that were, and of cameras alone 28 beside 14.
+/// Distance in cells, farther away than which so many times as many cells are at most, and a few, as of the live view itself: where
+/// limbs were turned as well there were up to 44 beside at most 3, and of cameras alone 11 beside 5.
 const AWAY: usize = 2;
 const MORE: u32 = 2;
 const FEW: u32 = 2;
@@ -86,11 +86,11 @@ pub(super) fn other_camera(
     let still = surface.covered(&here);
     // What both show elsewhere is ground, and none of the shapes.
     let near = still.grown();
-    let [theirs, ours] = &off.outlines;
-    let both = pixels_of_both(theirs, ours);
-    let outline = |pixels: &[[u32; 2]]| {
-        let is_of_shapes = |pixel: &[u32; 2]| !both.contains(pixel) || near.has(grid.cell(*pixel));
-        let pixels = pixels.iter().copied().filter(is_of_shapes);
+    let outline = |own: &[[u32; 2]], other: &[[u32; 2]]| {
+        let other: HashSet<&[u32; 2]> = other.iter().collect();
+        let is_of_shapes =
+            |pixel: &&[u32; 2]| !other.contains(pixel) || near.has(grid.cell(**pixel));
+        let pixels = own.iter().filter(is_of_shapes).copied();
         // Where a ground is behind shapes, its lines are none of them.
         let pixels = match off.thin.is_some() {
             true => pixels.collect(),
@@ -98,7 +98,8 @@ pub(super) fn other_camera(
         };
         Outline::new(grid.covered(pixels.into_iter()))
     };
-    let [theirs, ours] = [theirs, ours].map(|pixels| outline(pixels));
+    let [theirs, ours] = &off.outlines;
+    let [theirs, ours] = [outline(theirs, ours), outline(ours, theirs)];
     // What is left of the ground and of shadows is in both pictures, and no camera explains it.
     let of_itself = ours.misfit(&still);
     if of_itself > KNOWN {
@@ -107,6 +108,16 @@ pub(super) fn other_camera(
     let search = Search::new(&surface, &theirs, grid)?;
     let before = theirs.misfit(&still);
     let (after, there) = search.best(here)?;
+    let is_same = after <= LIKE_ITSELF * of_itself + ROUNDING;
+    let [own_before, own_after] = [before, after].map(|all| (all - of_itself).max(0.0));
+    let left_one_in = if is_same {
+        LEFT_LIKE_ITSELF
+    } else {
+        LEFT_ONE_IN
+    };
+    if own_before < LEAST || own_after * left_one_in > own_before {
+        return None;
+    }
     let (fewest, there) = search.finely(there);
     let is_as_good = |camera: &Camera, more: f32| search.misfit(camera) <= after + more;
     let is_good_home = |home: &Camera| {
@@ -119,28 +130,13 @@ pub(super) fn other_camera(
         None => unturned(there, here, |camera| is_as_good(camera, AS_GOOD)),
     };
     let is_exact = after <= ALL || home.is_some();
-    let is_same = after <= LIKE_ITSELF * of_itself + ROUNDING;
-    let [before, after] = [before, after].map(|all| (all - of_itself).max(0.0));
-    let left_one_in = if is_same {
-        LEFT_LIKE_ITSELF
-    } else {
-        LEFT_ONE_IN
-    };
-    let is_found = before >= LEAST && after * left_one_in <= before;
     let away = theirs.count_away(&surface.covered(&there), AWAY);
     let is_nothing_away = away <= MORE * ours.count_away(&still, AWAY) + FEW;
-    let told = is_found.then(|| in_words(&here, &there, is_exact))??;
     Some(OtherCamera {
-        told,
+        told: in_words(&here, &there, is_exact)?,
         homes: home.map(|(presses, _)| presses),
-        explains_all: (is_same || after <= ALL) && is_nothing_away,
+        explains_all: (is_same || own_after <= ALL) && is_nothing_away,
     })
-}
-
-fn pixels_of_both(some: &[[u32; 2]], others: &[[u32; 2]]) -> HashSet<[u32; 2]> {
-    let others: HashSet<&[u32; 2]> = others.iter().collect();
-    let both = some.iter().filter(|pixel| others.contains(pixel));
-    both.copied().collect()
 }
 
 /// The search for a camera that shows surfaces where the other picture has what is drawn.

@@ -1,6 +1,6 @@
 //! Which parts of a scene differ: limbs, and shapes without bones.
 
-use super::absent::{Attributed, hidden_at, without_absent};
+use super::absent::{Attributed, give_back, hidden_at, without_absent};
 use super::bones_seen::characters_seen;
 use super::candidates::{Candidate, Nearest, moved_or_nearest, nearest};
 use super::clusters::{fill_an_area, without_strays};
@@ -28,8 +28,6 @@ const FIGURE: f64 = 50.0;
 const LITTLE: f64 = 0.05;
 /// Most parts that differ by themselves.
 const MOST: usize = 6;
-/// Share of a shape's pixels that are off from which on something that covers them in the other picture may be the shape itself.
-const OVER: f64 = 0.05;
 
 /// The parts that differ, and what is known beside them.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,13 +162,11 @@ impl Differing<'_> {
                 pixels[part][1].push(pixel);
             }
         }
-        // What is there of a shape of which nothing else is may be that shape, together with what is before it.
-        for (of_part, size) in pixels.iter_mut().zip(&sizes) {
-            if size.is_some() && of_part[1].is_empty() {
-                let there = absent.iter().position(|group| is_over(group, &of_part[0]));
-                of_part[1].extend(there.map(|group| absent.remove(group)).unwrap_or_default());
-            }
-        }
+        let shapes = pixels
+            .iter_mut()
+            .zip(&sizes)
+            .filter(|(_, size)| size.is_some());
+        give_back(&mut absent, shapes.map(|(pixels, _)| pixels));
         let mut parts = self.parts_of(candidates, pixels);
         let is_in_place = |part: &Part| part.kind.is_in_place();
         let is_camera_right = limbs.is_camera_right || has_whole && parts.iter().any(is_in_place);
@@ -287,13 +283,6 @@ impl Differing<'_> {
             percent: 100.0 * pixels.len() as f64 / self.shown(),
         })
     }
-}
-
-/// Whether what is absent covers some of a shape that is off at pixels of its own.
-fn is_over(absent: &[(u32, u32)], own: &[(u32, u32)]) -> bool {
-    let absent: HashSet<&(u32, u32)> = absent.iter().collect();
-    let both = own.iter().filter(|pixel| absent.contains(pixel));
-    both.count() as f64 >= OVER * own.len().max(1) as f64
 }
 
 fn whole(pixel: Vec2) -> (u32, u32) {
